@@ -1,0 +1,96 @@
+"""Which token lies where, and how a move changes it."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from types import MappingProxyType
+from typing import TYPE_CHECKING
+
+from maestra.core.faults import Fault, InvalidError, refuse
+
+if TYPE_CHECKING:
+    from maestra.core.board import Board, Cell
+    from maestra.core.tokens import TokenId
+
+
+@dataclass(frozen=True, slots=True)
+class Move:
+    """One pick-and-place: `token` from `origin` to `destination`."""
+
+    token: TokenId
+    origin: Cell
+    destination: Cell
+
+
+class IllegalMoveError(InvalidError):
+    """A move that no board could make; a move against the rules is a verdict instead."""
+
+
+@dataclass(frozen=True, slots=True)
+class State:
+    """Which token is on which cell; immutable and hashable.
+
+    Raises:
+        InvalidError: two tokens on a cell, or a cell that is not on the board.
+    """
+
+    board: Board
+    cells: Mapping[TokenId, Cell]
+    """Where each token lies."""
+    tokens: Mapping[Cell, TokenId] = field(init=False, compare=False, repr=False)
+    """What lies on each cell that is not empty."""
+
+    def __post_init__(self) -> None:
+        """Freeze the mapping and refuse a state that cannot be, naming every fault."""
+        tokens: dict[Cell, TokenId] = {}
+        faults: list[Fault] = []
+        for token, cell in self.cells.items():
+            if cell not in self.board:
+                faults.append(_off_board(str(token), cell, self.board))
+            elif (other := tokens.setdefault(cell, token)) != token:
+                expected = f"a cell of its own ({other} lies there)"
+                faults.append(Fault(str(token), f"{_place(cell)} is taken", expected))
+        refuse(faults)
+        object.__setattr__(self, "cells", MappingProxyType(dict(self.cells)))
+        object.__setattr__(self, "tokens", MappingProxyType(tokens))
+
+    def __hash__(self) -> int:
+        """By what lies where."""
+        return hash(frozenset(self.cells.items()))
+
+    def after(self, move: Move) -> State:
+        """The state once `move` is made.
+
+        Raises:
+            IllegalMoveError: the token is not there, or the destination is taken or off the
+                board; with every fault.
+        """
+        faults: list[Fault] = []
+        actual = self.cells.get(move.token)
+        if actual is None:
+            faults.append(Fault("token", f"unknown token {move.token}", "a token of the deck"))
+        elif actual != move.origin:
+            found = f"{move.token} is not on {_place(move.origin)}"
+            faults.append(Fault("origin", found, f"{_place(actual)}, where it lies"))
+        if move.destination not in self.board:
+            faults.append(_off_board("destination", move.destination, self.board))
+        elif move.destination in self.tokens:
+            other = self.tokens[move.destination]
+            found = f"{_place(move.destination)} is taken by {other}"
+            faults.append(Fault("destination", found, "an empty cell"))
+        if faults:
+            raise IllegalMoveError(faults)
+        return State(self.board, {**self.cells, move.token: move.destination})
+
+
+def _place(cell: Cell) -> str:
+    return f"[{cell.row}, {cell.column}]"
+
+
+def _off_board(where: str, cell: Cell, board: Board) -> Fault:
+    return Fault(
+        where,
+        f"{_place(cell)} is off the board",
+        f"[1..{board.rows}, 1..{board.columns}]",
+    )
