@@ -1,0 +1,1 @@
+"""What is right: features, rules, actions with their preconditions, verdicts on moves."""
