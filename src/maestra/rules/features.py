@@ -74,7 +74,11 @@ class CellFeature:
 
     def of(self, board: Board, origin: Cell, destination: Cell) -> CellValue:
         """What this feature is for a move from `origin` to `destination`."""
-        return CELL_FEATURES[self.name](board, origin, destination)
+        return CELL_FEATURES[self.name].of(board, origin, destination)
+
+    def values(self, board: Board) -> Sequence[CellValue]:
+        """What a literal can demand of it on `board`; of a yes or no only the yes."""
+        return CELL_FEATURES[self.name].values(board)
 
 
 Feature: TypeAlias = TokenFeature | PairFeature | CellFeature
@@ -126,6 +130,25 @@ class _ParameterDefinition:
 class _PairDefinition:
     scales: frozenset[Scale]
     test: _PairTest
+
+
+@dataclass(frozen=True, slots=True)
+class _CellDefinition:
+    of: Callable[[Board, Cell, Cell], CellValue]
+    values: Callable[[Board], Sequence[CellValue]]
+    """What a literal can demand of it; of a yes or no only the yes."""
+
+
+def _rows(board: Board) -> Sequence[CellValue]:
+    return range(1, board.rows + 1)
+
+
+def _columns(board: Board) -> Sequence[CellValue]:
+    return range(1, board.columns + 1)
+
+
+def _yes(_board: Board) -> Sequence[CellValue]:
+    return (True,)
 
 
 def _is_count(text: str) -> bool:
@@ -222,16 +245,18 @@ CONVERSES: Final[Mapping[str, str]] = MappingProxyType(
 
 _SYMMETRIC: Final = frozenset({"same", "different"})
 
-CELL_FEATURES: Final[Mapping[str, Callable[[Board, Cell, Cell], CellValue]]] = MappingProxyType(
+CELL_FEATURES: Final[Mapping[str, _CellDefinition]] = MappingProxyType(
     {
-        "origin": lambda _board, origin, _destination: origin,
-        "destination": lambda _board, _origin, destination: destination,
-        "origin-row": lambda _board, origin, _destination: int(origin.row),
-        "origin-column": lambda _board, origin, _destination: int(origin.column),
-        "destination-column": lambda _board, _origin, destination: int(destination.column),
-        "same-column": lambda _board, origin, destination: origin.column == destination.column,
-        "from-storage": lambda board, origin, _destination: origin.row != board.goal_row,
-        "to-goal-row": lambda board, _origin, destination: destination.row == board.goal_row,
+        "origin": _CellDefinition(lambda _, origin, __: origin, lambda board: board.cells),
+        "destination": _CellDefinition(lambda _, __, to: to, lambda board: board.cells),
+        "origin-row": _CellDefinition(lambda _, origin, __: int(origin.row), _rows),
+        "origin-column": _CellDefinition(lambda _, origin, __: int(origin.column), _columns),
+        "destination-column": _CellDefinition(lambda _, __, to: int(to.column), _columns),
+        "same-column": _CellDefinition(lambda _, origin, to: origin.column == to.column, _yes),
+        "from-storage": _CellDefinition(
+            lambda board, origin, _: origin.row != board.goal_row, _yes
+        ),
+        "to-goal-row": _CellDefinition(lambda board, _, to: to.row == board.goal_row, _yes),
     }
 )
 """Features of a move's two cells."""
