@@ -2,18 +2,77 @@
 SHELL := /bin/bash
 .SHELLFLAGS := -euo pipefail -c
 .DEFAULT_GOAL := help
-.DELETE_ON_ERROR:
+# The steps of `make test` print as they go and share two cores: one at a time.
+.NOTPARALLEL:
 
-VENV := .venv
-BIN := $(VENV)/bin
+BIN := .venv/bin
+STEP := @scripts/step.sh
+export PYTHON
+
+.PHONY: help
+help: ## list the targets
+	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "  make %-10s %s\n", $$1, $$2 }' $(MAKEFILE_LIST)
+
+# ---------------------------------------------------------------- use it
+
+.PHONY: run
+run: ## set everything up, then play with Maestra in the terminal
+	@scripts/environment.sh product
+	@$(BIN)/maestra demo
 
 .PHONY: setup
-setup: $(VENV)/.stamp-dev ## set up .venv with everything a developer needs
+setup: ## set .venv up with everything a developer needs
+	@scripts/environment.sh developer
 
-$(VENV)/bin/python:
-	python3 -m venv $(VENV)
-	$(BIN)/python -m pip install --quiet --upgrade 'pip>=25.1'
+# ---------------------------------------------------------------- check it
 
-$(VENV)/.stamp-dev: pyproject.toml | $(VENV)/bin/python
-	$(BIN)/python -m pip install --quiet --editable '.[planning]' --group dev
-	touch $@
+# pytest comes last, so that its closing lines are the last ones printed.
+.PHONY: test
+test: check-format lint types layers docs wheel tests ## set everything up, then pass every check
+
+.PHONY: check-format
+check-format: setup
+	$(STEP) format $(BIN)/ruff format --check --quiet
+
+.PHONY: lint
+lint: setup ## ruff
+	$(STEP) lint $(BIN)/ruff check --quiet
+
+.PHONY: types
+types: setup ## mypy and pyright, both strict
+	$(STEP) mypy $(BIN)/mypy
+	$(STEP) pyright $(BIN)/pyright
+
+.PHONY: layers
+layers: setup ## the import rule of the house
+	$(STEP) layers $(BIN)/lint-imports --no-logo --cache-dir .cache/import-linter
+
+.PHONY: docs
+docs: setup ## build the documentation into site/
+	$(STEP) docs env NO_MKDOCS_2_WARNING=1 $(BIN)/mkdocs --quiet build --strict
+
+.PHONY: wheel
+wheel: setup ## build the wheel, install it into an empty environment, use it there
+	$(STEP) wheel scripts/check_wheel.sh
+
+.PHONY: tests
+tests: setup ## the tests, with the coverage each package must have
+	@printf '\n== tests\n'
+	@$(BIN)/python -m pytest --numprocesses=2 --hypothesis-profile=ci \
+		--cov --cov-report=term-missing:skip-covered --coverage-floors
+
+.PHONY: format
+format: setup ## format the code and repair what ruff can
+	$(BIN)/ruff check --fix
+	$(BIN)/ruff format
+
+# ---------------------------------------------------------------- measure and search
+
+.PHONY: bench
+bench: setup ## measure speed
+	$(BIN)/python -m pytest benchmarks --benchmark-enable --benchmark-only -p no:randomly --timeout=0
+
+.PHONY: clean
+clean: ## remove everything that the other targets make
+	rm -rf .venv .venv-* .cache .hypothesis site build dist mutants
+	find src tests -name __pycache__ -prune -exec rm -rf {} +

@@ -1,0 +1,96 @@
+#!/usr/bin/env bash
+# Make the virtual environment ready, quickly when nothing changed.
+#
+#   scripts/environment.sh product    Maestra and what it needs to run
+#   scripts/environment.sh developer  that, the planning extra and every tool of `make test`
+#
+# PYTHON names the interpreter to build it with; VENV the folder (.venv).
+set -euo pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")/.."
+
+level=${1:?product or developer}
+venv=${VENV:-.venv}
+needed="3.11"
+
+refuse() {
+    printf 'maestra: %s\n' "$1" >&2
+    exit 1
+}
+
+new_enough() {
+    "$1" -c 'import sys; sys.exit(sys.version_info < (3, 11))' 2>/dev/null
+}
+
+# The interpreter to build with: the one named, else python3, else a newer one beside it.
+find_python() {
+    local candidate
+    if [[ -n ${PYTHON:-} ]]; then
+        new_enough "$PYTHON" || refuse "$PYTHON is not Python $needed or newer"
+        echo "$PYTHON"
+        return
+    fi
+    for candidate in python3 python3.14 python3.13 python3.12 python3.11; do
+        if command -v "$candidate" >/dev/null && new_enough "$candidate"; then
+            command -v "$candidate"
+            return
+        fi
+    done
+    refuse "Python $needed or newer is needed, and python3 here is $(python3 --version 2>&1 || echo missing); install one, or name it: make PYTHON=/path/to/python3 ..."
+}
+
+# Debian ships python3 without venv; as root we may add it, otherwise we say so.
+ensure_venv_module() {
+    local python=$1 package
+    if "$python" -c 'import ensurepip, venv' 2>/dev/null; then
+        return
+    fi
+    package=$("$python" -c 'import sys; print("python%d.%d-venv" % sys.version_info[:2])')
+    if [[ $(id -u) -eq 0 ]] && command -v apt-get >/dev/null; then
+        echo "Installing $package, which $python lacks"
+        if apt-get update -qq && DEBIAN_FRONTEND=noninteractive apt-get install -y -qq "$package" >/dev/null; then
+            return
+        fi
+    fi
+    refuse "$python cannot make virtual environments; install its venv module first (on Debian, as root: apt-get install $package)"
+}
+
+# False for a folder that was moved or copied (its programs name their old place), or whose
+# interpreter is gone or too old.
+environment_is_sound() {
+    [[ -f $venv/maestra.location && $(<"$venv/maestra.location") == "$PWD/$venv" ]] &&
+        [[ -x $venv/bin/python ]] && new_enough "$venv/bin/python"
+}
+
+if ! environment_is_sound; then
+    python=$(find_python)
+    ensure_venv_module "$python"
+    echo "Creating $venv with $("$python" --version)"
+    rm -rf "$venv"
+    "$python" -m venv "$venv"
+    echo "$PWD/$venv" >"$venv/maestra.location"
+fi
+
+# What is installed follows from pyproject.toml alone, so its content is the stamp.
+wanted=$(cat pyproject.toml scripts/environment.sh | sha256sum | cut -d ' ' -f 1)
+stamp=$venv/maestra-$level.stamp
+if [[ $level == product && -f $venv/maestra-developer.stamp ]]; then
+    stamp=$venv/maestra-developer.stamp
+    level=developer
+fi
+if [[ -f $stamp && $(<"$stamp") == "$wanted" ]]; then
+    exit 0
+fi
+rm -f "$venv"/maestra-*.stamp
+echo "Installing Maestra in $venv ($level); the first time takes about a minute"
+pip=("$venv/bin/python" -m pip --disable-pip-version-check -qq)
+case $level in
+product)
+    "${pip[@]}" install --editable .
+    ;;
+developer)
+    "${pip[@]}" install --upgrade 'pip>=25.1' # the first with --group
+    "${pip[@]}" install --editable '.[planning]' --group dev
+    ;;
+*) refuse "unknown level $level: product or developer" ;;
+esac
+echo "$wanted" >"$stamp"
