@@ -45,7 +45,12 @@ def test_nothing_from_coaching_down_reads_writes_or_draws(module: str) -> None:
 
 @pytest.mark.parametrize(
     "source",
-    ["open('x')", "print()", "Path('x').read_text()", "import numpy as np; np.random.default_rng()"],
+    [
+        "open('x')",
+        "print()",
+        "Path('x').read_text()",
+        "import numpy as np; np.random.default_rng()",
+    ],
 )
 def test_a_call_with_a_side_effect_is_found(source: str) -> None:
     assert len(impurities(source)) == 1
