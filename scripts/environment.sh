@@ -3,12 +3,13 @@
 #
 #   scripts/environment.sh product    Maestra and what it needs to run
 #   scripts/environment.sh developer  that, the planning extra and every tool of `make test`
+#   scripts/environment.sh nightly    the tools of `make fuzz`, `make mutation`, `make oracle`
 #
 # PYTHON names the interpreter to build it with; VENV the folder (.venv).
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
-level=${1:?product or developer}
+level=${1:?product, developer or nightly}
 venv=${VENV:-.venv}
 needed="3.11"
 
@@ -91,6 +92,10 @@ developer)
     "${pip[@]}" install --upgrade 'pip>=25.1' # the first with --group
     "${pip[@]}" install --editable '.[planning]' --group dev
     ;;
-*) refuse "unknown level $level: product or developer" ;;
+nightly)
+    "${pip[@]}" install --upgrade 'pip>=25.1'
+    "${pip[@]}" install --editable '.[planning]' --group nightly
+    ;;
+*) refuse "unknown level $level: product, developer or nightly" ;;
 esac
 echo "$wanted" >"$stamp"
