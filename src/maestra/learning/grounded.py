@@ -18,6 +18,7 @@ from typing import TYPE_CHECKING
 
 from maestra.core.faults import Fault, InvalidError
 from maestra.rules.decks import merge_decks
+from maestra.rules.exercise import Deletion, GroundedExercise, Provenance
 from maestra.rules.features import select_features
 from maestra.rules.strips import Action, ActionModel
 from maestra.rules.vocabulary import Level, Vocabulary
@@ -28,37 +29,6 @@ if TYPE_CHECKING:
     from maestra.core.board import Cell
     from maestra.core.demonstration import Demonstration
     from maestra.core.tokens import Deck, TokenId
-
-
-@dataclass(frozen=True, slots=True)
-class Deletion:
-    """Literals that one demonstration showed not to be needed."""
-
-    demonstration: int
-    """From 1, in the order they were shown."""
-    literals: int
-    """A bit set over the vocabulary."""
-
-
-@dataclass(frozen=True, slots=True)
-class Provenance:
-    """Where an action's precondition comes from."""
-
-    seen: int
-    """In how many demonstrations it was shown: each literal that is left held in all of them."""
-    deletions: tuple[Deletion, ...]
-
-
-@dataclass(frozen=True, slots=True)
-class Lesson:
-    """What has been learned so far."""
-
-    model: ActionModel
-    provenance: Mapping[Action, Provenance]
-    lengths: frozenset[int]
-    """After how many moves a demonstration ended."""
-    demonstrations: int
-    """How many were shown."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -143,14 +113,14 @@ class GroundedLearner:
             if move.destination in offsets:
                 contents[move.destination] = moved
 
-    def lesson(self) -> Lesson:
+    def exercise(self) -> GroundedExercise:
         """What has been learned from the demonstrations so far."""
         shown = self.vocabulary.shown
         records = {
             Action(shown[moved], step): record
             for (moved, step), record in sorted(self._records.items(), key=_by_step)
         }
-        return Lesson(
+        return GroundedExercise(
             ActionModel(
                 self.vocabulary,
                 {action: record.precondition for action, record in records.items()},
@@ -176,7 +146,7 @@ def learn_grounded(
     demonstrations: Sequence[Demonstration],
     level: Level = Level.A,
     features: Sequence[str] | None = None,
-) -> Lesson:
+) -> GroundedExercise:
     """The most specific preconditions that explain all `demonstrations` (at least one).
 
     Args:
@@ -192,7 +162,7 @@ def learn_grounded(
     learner = GroundedLearner(vocabulary_for(demonstrations, level, features))
     for demonstration in demonstrations:
         learner.show(demonstration)
-    return learner.lesson()
+    return learner.exercise()
 
 
 def vocabulary_for(

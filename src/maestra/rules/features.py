@@ -343,7 +343,7 @@ def _features_named(deck: Deck, name: str) -> tuple[Feature, ...]:
         return DEFAULT_CELLS
     if name in CELL_FEATURES:
         return (CellFeature(name),)
-    bare, _, attribute = name.partition(":")
+    bare, attribute = _split_attribute(deck, name)
     known = CONVERSES.get(bare, bare)
     features = _applicable(deck).get(known)
     if features is None:
@@ -358,6 +358,14 @@ def _features_named(deck: Deck, name: str) -> tuple[Feature, ...]:
             [Fault(name, "no attribute it applies to", f"a feature of {have or 'this deck'}")]
         )
     return features
+
+
+def _split_attribute(deck: Deck, name: str) -> tuple[str, str]:
+    """The feature and the attribute of ``less-than:size``; a value too may have a colon."""
+    bare, colon, attribute = name.rpartition(":")
+    if not colon or (attribute not in deck.scales and bare.startswith("is-")):
+        return name, ""
+    return bare, attribute
 
 
 def _applicable(deck: Deck) -> dict[str, tuple[TokenFeature | PairFeature, ...]]:

@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING, Final
 from maestra.rules.literals import formula, symbol
 
 if TYPE_CHECKING:
-    from collections.abc import Mapping
+    from collections.abc import Iterator, Mapping
 
     from maestra.core.board import Cell
     from maestra.core.tokens import Attributes
@@ -73,6 +73,24 @@ class ActionModel:
         moved = self.vocabulary.index_of_shown[action.shown]
         holding = self.vocabulary.holding(contents, moved, origin, destination)
         return self.vocabulary.select(self.preconditions[action] & ~holding)
+
+    def applicable(self, step: int, contents: Mapping[Cell, int]) -> Iterator[tuple[Cell, Cell]]:
+        """The moves, origin and destination, whose action is applicable as the `step`-th.
+
+        Args:
+            step: from 1.
+            contents: what lies on each cell, as indices into the vocabulary's `shown`.
+        """
+        vocabulary, actions = self.vocabulary, self.by_step.get(step, {})
+        of_move = (1 << vocabulary.placed_size) - 1
+        empty = [cell for cell in vocabulary.board.cells if cell not in contents]
+        for origin, moved in contents.items():
+            if moved in actions:
+                demanded = actions[moved] & ~vocabulary.lying(contents, moved)
+                if not demanded & ~of_move:
+                    for destination in empty:
+                        if not demanded & ~vocabulary.placed(origin, destination):
+                            yield origin, destination
 
     @cached_property
     def by_step(self) -> Mapping[int, Mapping[int, int]]:

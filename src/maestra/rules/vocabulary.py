@@ -27,7 +27,6 @@ if TYPE_CHECKING:
     from collections.abc import Iterable, Iterator, Mapping
 
     from maestra.core.board import Board, Cell
-    from maestra.core.state import State
     from maestra.core.tokens import Attributes, Deck, TokenId
     from maestra.rules.features import CellValue, Feature
 
@@ -76,7 +75,7 @@ class Vocabulary:
     def literals(self) -> tuple[Literal, ...]:
         """Every literal, in the order of the bits."""
         placed = (Placed(feature, value) for feature, value in self._placed_places)
-        return (*placed, *(literal for cell in self._watched for literal in self._block(cell)))
+        return (*placed, *(literal for cell in self.watched for literal in self._block(cell)))
 
     @cached_property
     def everything(self) -> Bits:
@@ -84,10 +83,15 @@ class Vocabulary:
         return (1 << self._size) - 1
 
     @cached_property
+    def placed_size(self) -> int:
+        """How many literals, the first ones, speak of the move's cells."""
+        return len(self._placed_places)
+
+    @cached_property
     def offsets(self) -> Mapping[Cell, int]:
         """For each cell whose content is part of the vocabulary, where its bits begin."""
-        first, size = len(self._placed_places), self._block_size
-        return {cell: first + size * index for index, cell in enumerate(self._watched)}
+        first, size = self.placed_size, self.block_size
+        return {cell: first + size * index for index, cell in enumerate(self.watched)}
 
     def placed(self, origin: Cell, destination: Cell) -> Bits:
         """The literals that hold because a move goes from `origin` to `destination`."""
@@ -122,22 +126,17 @@ class Vocabulary:
             origin: where it lies.
             destination: where it goes.
         """
-        bits = self.placed(origin, destination)
+        return self.placed(origin, destination) | self.lying(contents, moved)
+
+    def lying(self, contents: Mapping[Cell, int], moved: int) -> Bits:
+        """The literals that hold before a move because of what lies on the cells."""
+        bits = 0
         row = self.patterns(moved)
         offsets = self.offsets
         for cell, other in contents.items():
             if cell in offsets:
                 bits |= row[other] << offsets[cell]
         return bits
-
-    def contents(self, state: State, deck: Deck | None = None) -> dict[Cell, int]:
-        """What lies on each cell, as indices into `shown`.
-
-        Raises:
-            InvalidError: a token shows what no token of this vocabulary's deck does.
-        """
-        index = self.index_of_token if deck is None else self.indices(deck)
-        return {cell: index[token] for token, cell in state.cells.items()}
 
     def indices(self, deck: Deck) -> Mapping[TokenId, int]:
         """For each token of another deck, where what it shows stands in `shown`.
@@ -195,7 +194,8 @@ class Vocabulary:
         return {pair: index for index, pair in enumerate(pairs)}
 
     @cached_property
-    def _watched(self) -> tuple[Cell, ...]:
+    def watched(self) -> tuple[Cell, ...]:
+        """The cells whose content literals speak of."""
         return self.board.cells if self.level is Level.C else self.board.goal_cells
 
     @cached_property
@@ -211,12 +211,13 @@ class Vocabulary:
         return () if self.level is Level.A else self.shown
 
     @cached_property
-    def _block_size(self) -> int:
+    def block_size(self) -> int:
+        """How many literals speak of the content of one watched cell."""
         return len(self._sides) + len(self.token_features) + len(self._contained)
 
     @cached_property
     def _size(self) -> int:
-        return len(self._placed_places) + len(self._watched) * self._block_size
+        return self.placed_size + len(self.watched) * self.block_size
 
     def _block(self, cell: Cell) -> Iterator[Literal]:
         """The literals about the content of one cell, in the order of `_pattern`."""
