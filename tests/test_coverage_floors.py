@@ -84,6 +84,16 @@ def test_a_package_that_no_test_imports_fails_the_run(project: pytest.Pytester) 
     result.stdout.fnmatch_lines(["storage*0.00 %*of 60 %  TOO LITTLE"])
 
 
+def test_a_run_without_any_data_fails(project: pytest.Pytester) -> None:
+    write(project.path / "tests/test_it.py", "def test_nothing(): pass")
+    (project.path / "pyproject.toml").write_text(
+        textwrap.dedent(PROJECT).replace("src/maestra", "nowhere"), encoding="utf-8"
+    )
+    result = run(project)
+    assert result.ret == pytest.ExitCode.TESTS_FAILED
+    result.stdout.fnmatch_lines(["core*0.00 %*of 100 %  TOO LITTLE"])
+
+
 def test_pytests_own_line_is_the_last_one(project: pytest.Pytester) -> None:
     assert "1 passed" in run(project).outlines[-1]
 
