@@ -1,0 +1,1 @@
+"""The forms a rule can have, one module a family."""
