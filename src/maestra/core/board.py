@@ -1,7 +1,5 @@
 """The grid that tokens lie on: a goal row, and storage rows."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 from functools import cached_property
 from typing import Final, NewType
@@ -13,6 +11,7 @@ Column = NewType("Column", int)
 
 MAX_SIDE: Final = 100
 """Rows or columns at most: far above any table, low enough that a typing error is caught."""
+_LAST_DIGIT: Final = 9
 
 
 @dataclass(frozen=True, slots=True, order=True)
@@ -25,7 +24,7 @@ class Cell:
     @property
     def name(self) -> str:
         """The paper's name, ``l12``; with a hyphen once a number has two digits, ``l1-12``."""
-        wide = self.row > 9 or self.column > 9
+        wide = self.row > _LAST_DIGIT or self.column > _LAST_DIGIT
         return f"l{self.row}-{self.column}" if wide else f"l{self.row}{self.column}"
 
 
@@ -49,7 +48,8 @@ class Board:
             if not 1 <= side <= MAX_SIDE
         ]
         if not 1 <= self.goal_row <= self.rows:
-            faults.append(Fault("goal_row", str(self.goal_row), f"a row from 1 to {self.rows}"))
+            expected = f"a row of the board, 1 to {self.rows}"
+            faults.append(Fault("goal_row", str(self.goal_row), expected))
         refuse(faults)
 
     def __contains__(self, cell: object) -> bool:

@@ -1,19 +1,24 @@
-"""What a caregiver played: a start state and the moves from it. A play and a position are alike."""
+"""What a caregiver played: a start and the moves from it; a play and a position are alike."""
 
-from __future__ import annotations
-
+from collections.abc import Iterator
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING
+from itertools import pairwise
+from typing import Final, Literal, TypeAlias, get_args
 
-from maestra.core.faults import Fault, refuse
-from maestra.core.state import IllegalMoveError, State
+from maestra.core.board import Board
+from maestra.core.faults import Fault, refuse, shorten
+from maestra.core.state import IllegalMoveError, Move, State
+from maestra.core.text import faults_of_text
+from maestra.core.tokens import Deck
 
-if TYPE_CHECKING:
-    from collections.abc import Iterator
+Source: TypeAlias = Literal["board", "file", "simulated"]
+"""Where a demonstration was played."""
+SOURCES: Final[tuple[str, ...]] = get_args(Source)
 
-    from maestra.core.board import Board
-    from maestra.core.state import Move
-    from maestra.core.tokens import Deck
+MAX_MOVES: Final = 100_000
+"""A move a second for a whole day."""
+MAX_TIME_MS: Final = 10**15
+"""30,000 years: any clock fits, also one that counts from 1970."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -22,7 +27,8 @@ class Demonstration:
 
     Raises:
         InvalidError: the start state lacks a token of the deck or has one more; a move that no
-            board could make; as many times as there are not moves, or times that run backwards.
+            board could make, or more than `MAX_MOVES`; as many times as there are not moves, or
+            times that run backwards; a label that is no plain text.
     """
 
     deck: Deck
@@ -31,8 +37,7 @@ class Demonstration:
     label: str | None = None
     times_ms: tuple[int, ...] | None = None
     """One for each move, from the start."""
-    source: str | None = None
-    """Where it was played: ``board``, ``file``, ``simulated``."""
+    source: Source | None = None
 
     def __post_init__(self) -> None:
         """Refuse a demonstration that no board could show, naming every fault."""
@@ -41,6 +46,8 @@ class Demonstration:
                 *self._faults_of_start(),
                 *self._faults_of_moves(),
                 *self._faults_of_times(),
+                *([] if self.label is None else faults_of_text("label", self.label)),
+                *self._faults_of_source(),
             ]
         )
 
@@ -63,13 +70,21 @@ class Demonstration:
         *_, last = self.states()
         return last
 
-    def until(self, moves: int) -> Demonstration:
-        """The position after the first `moves` moves."""
+    def until(self, moves: int) -> "Demonstration":
+        """The position after the first `moves` moves.
+
+        Raises:
+            ValueError: there are not so many.
+        """
+        if not 0 <= moves <= len(self.moves):
+            raise ValueError(f"{moves} of {len(self.moves)} moves")
         times = None if self.times_ms is None else self.times_ms[:moves]
         return replace(self, moves=self.moves[:moves], times_ms=times)
 
     def _faults_of_start(self) -> list[Fault]:
         known, placed = self.deck.by_id.keys(), self.start.cells.keys()
+        if known == placed:
+            return []
         missing = [
             Fault(f"start.{token}", "missing", "a cell for each token")
             for token in sorted(known - placed)
@@ -82,15 +97,15 @@ class Demonstration:
 
     def _faults_of_moves(self) -> list[Fault]:
         """Every impossible move; each is passed over, so that later ones are still looked at."""
+        if len(self.moves) > MAX_MOVES:
+            return [Fault("moves", f"{len(self.moves)} moves", f"at most {MAX_MOVES}")]
         faults: list[Fault] = []
         state = self.start
         for index, move in enumerate(self.moves):
             try:
                 state = state.after(move)
             except IllegalMoveError as error:
-                faults.extend(
-                    replace(fault, where=f"moves[{index}].{fault.where}") for fault in error.faults
-                )
+                faults.extend(fault.under(f"moves[{index}]") for fault in error.faults)
         return faults
 
     def _faults_of_times(self) -> list[Fault]:
@@ -98,8 +113,14 @@ class Demonstration:
             return []
         faults: list[Fault] = []
         if len(self.times_ms) != len(self.moves):
-            found = f"{len(self.times_ms)} times"
-            faults.append(Fault("times_ms", found, f"{len(self.moves)}, one for each move"))
-        if any(later < earlier for earlier, later in zip((0, *self.times_ms), self.times_ms)):
-            faults.append(Fault("times_ms", "times that run backwards", "rising times from 0"))
+            expected = f"{len(self.moves)}, one for each move"
+            faults.append(Fault("times_ms", f"{len(self.times_ms)} times", expected))
+        if any(later < earlier for earlier, later in pairwise((0, *self.times_ms, MAX_TIME_MS))):
+            expected = "times that rise from 0, up to 10^15"
+            faults.append(Fault("times_ms", "times that run backwards or too far", expected))
         return faults
+
+    def _faults_of_source(self) -> list[Fault]:
+        if self.source is None or self.source in SOURCES:
+            return []
+        return [Fault("source", shorten(self.source), f"one of {', '.join(SOURCES)}")]

@@ -1,12 +1,18 @@
 """What is wrong with an input: every fault at once, each with its place and what was expected."""
 
-from __future__ import annotations
+import json
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from decimal import Decimal
+from typing import Final
 
-from dataclasses import dataclass
-from typing import TYPE_CHECKING
-
-if TYPE_CHECKING:
-    from collections.abc import Sequence
+MAX_SAID: Final = 10
+"""Faults that a message spells out; a file that is wrong throughout must not fill the screen."""
+MAX_PIECE: Final = 200
+"""Characters of a place, of what was found, of what was expected: a line stays one a person reads.
+"""
+MAX_QUOTED: Final = 60
+"""Characters of a quoted value."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -20,20 +26,56 @@ class Fault:
 
     def __str__(self) -> str:
         """The fault as a part of a line: place, what is there, what should be."""
-        place = f"{self.where}: " if self.where else ""
-        return f"{place}{self.found}, expected {self.expected}"
+        place = f"{one_line(self.where)}: " if self.where else ""
+        return f"{place}{one_line(self.found)}, expected {one_line(self.expected)}"
+
+    def under(self, place: str) -> "Fault":
+        """The same fault, seen from outside `place`: ``origin`` becomes ``moves[2].origin``."""
+        return replace(self, where=f"{place}.{self.where}" if self.where else place)
 
 
 class InvalidError(ValueError):
     """A thing that cannot be built; carries all of its faults, never only the first."""
 
     def __init__(self, faults: Sequence[Fault]) -> None:
-        """Keep `faults` (at least one) and say them on one line."""
-        super().__init__("; ".join(str(fault) for fault in faults))
+        """Keep `faults`, at least one."""
         self.faults: tuple[Fault, ...] = tuple(faults)
+        super().__init__(self.faults)
+
+    def __str__(self) -> str:
+        """The faults on one line; of very many, how many more there are."""
+        said = "; ".join(str(fault) for fault in self.faults[:MAX_SAID])
+        more = len(self.faults) - MAX_SAID
+        return f"{said}; and {more} more" if more > 0 else said
 
 
 def refuse(faults: Sequence[Fault]) -> None:
     """Raise `InvalidError` if there is any fault."""
     if faults:
         raise InvalidError(faults)
+
+
+def one_line(text: str) -> str:
+    """`text` as a piece of a line, safe on any terminal: no control characters, not too long."""
+    if len(text) > MAX_PIECE:
+        text = f"{text[: MAX_PIECE - 3]}..."
+    if text.isprintable():
+        return text
+    return "".join(sign if sign.isprintable() else _escape(sign) for sign in text)
+
+
+def shorten(value: object) -> str:
+    """`value` as JSON writes it, cut to one short piece of a line."""
+    try:
+        text = json.dumps(value, ensure_ascii=False, default=_plain)
+    except RecursionError:
+        text = "brackets nested too deep"
+    return text if len(text) <= MAX_QUOTED else f"{text[: MAX_QUOTED - 3]}..."
+
+
+def _plain(value: object) -> float | str:
+    return float(value) if isinstance(value, Decimal) else str(value)
+
+
+def _escape(sign: str) -> str:
+    return sign.encode("unicode_escape", "surrogatepass").decode("ascii")

@@ -3,99 +3,160 @@
 Pure: it decodes bytes that somebody else read, in chunks of any size.
 """
 
-from __future__ import annotations
-
 import json
+from collections.abc import Callable, Iterable, Iterator
 from decimal import Decimal
-from typing import TYPE_CHECKING, Annotated, Final, Literal, cast
+from functools import lru_cache
+from typing import Annotated, Final, Literal, TypeVar, cast
 
-from pydantic import (
-    BaseModel,
-    ConfigDict,
-    Field,
-    StrictInt,
-    StrictStr,
-    ValidationError,
-    WithJsonSchema,
-)
+from pydantic import BaseModel, ConfigDict, Field, StrictInt, StrictStr, ValidationError
 from pydantic.functional_validators import PlainValidator
+from pydantic.json_schema import WithJsonSchema
 
 from maestra.core.board import MAX_SIDE, Board, Cell, Column, Row
-from maestra.core.demonstration import Demonstration
+from maestra.core.demonstration import MAX_MOVES, MAX_TIME_MS, Demonstration, Source
 from maestra.core.faults import Fault, InvalidError
-from maestra.core.json_lines import FormatError, decode_object, shorten, split_lines
+from maestra.core.json_faults import Expecting, faults_of_validation
+from maestra.core.json_lines import FormatError, decode_object, split_lines
 from maestra.core.state import Move, State
-from maestra.core.tokens import MAX_NUMBER, MAX_TOKENS, Deck, Token, TokenId, Value
-
-if TYPE_CHECKING:
-    from collections.abc import Iterable, Iterator, Mapping
-
-    from pydantic_core import ErrorDetails
+from maestra.core.text import MAX_TEXT, PLAIN
+from maestra.core.tokens import (
+    MAX_LISTED,
+    MAX_NAMES,
+    MAX_NUMBER,
+    MAX_TOKENS,
+    MAX_WORDS,
+    Deck,
+    Token,
+    TokenId,
+    Value,
+    expected_value,
+)
 
 DEMONSTRATION_FORMAT: Final = "maestra.demonstration/1"
 
-MAX_MOVES: Final = 100_000
-"""A move a second for a whole day."""
-MAX_TEXT: Final = 1_000
-"""Characters in an id, a name, a string value, a label: a tag's UID has 20."""
-MAX_WORDS: Final = 1_000_000
-"""Words in a lexicon: larger than any language's dictionary of base forms."""
+_Built = TypeVar("_Built")
 
 
 def _value(value: object) -> Value:
-    if isinstance(value, bool) or not isinstance(value, int | Decimal | str):
-        message = "a number or a string"
-        raise ValueError(message)  # noqa: TRY004 - pydantic turns only ValueError into a fault
-    if isinstance(value, str) and len(value) > MAX_TEXT:
-        message = f"a string of at most {MAX_TEXT} characters"
-        raise ValueError(message)
-    return value
+    if (expected := expected_value(value)) is not None:
+        raise ValueError(expected)
+    return cast("Value", value)
 
 
-_Text = Annotated[StrictStr, Field(min_length=1, max_length=MAX_TEXT)]
-_Side = Annotated[StrictInt, Field(ge=1, le=MAX_SIDE)]
-_Place = tuple[StrictInt, StrictInt]
+_Text = Annotated[
+    StrictStr,
+    Field(min_length=1, max_length=MAX_TEXT, pattern=PLAIN),
+    Expecting(f"1 to {MAX_TEXT} characters, no control characters"),
+]
+_Side = Annotated[
+    StrictInt, Field(ge=1, le=MAX_SIDE), Expecting(f"a whole number from 1 to {MAX_SIDE}")
+]
+_Place = Annotated[
+    tuple[StrictInt, StrictInt],
+    Expecting("a cell, [row, column]"),
+    WithJsonSchema(
+        {
+            "type": "array",
+            "description": "A cell: [row, column], both from 1; row 1, column 1 is the left end "
+            "of the first row as the patient sits.",
+            "prefixItems": [{"type": "integer", "minimum": 1, "maximum": MAX_SIDE}] * 2,
+            "minItems": 2,
+            "maxItems": 2,
+        }
+    ),
+]
 _Value = Annotated[
     object,
     PlainValidator(_value),
     WithJsonSchema(
         {
+            "description": "A number is ordinal: ordered, with arithmetic, of at most 15 digits. "
+            "A string is nominal: only the same or different, unless `orders` or `cycles` says "
+            "more or it is one letter under the name `letter`.",
             "anyOf": [
                 {"type": "number", "minimum": -MAX_NUMBER, "maximum": MAX_NUMBER},
-                {"type": "string", "maxLength": MAX_TEXT},
-            ]
+                {"type": "string", "maxLength": MAX_TEXT, "pattern": PLAIN},
+            ],
         }
     ),
 ]
-_Order = Annotated[tuple[_Text, ...], Field(min_length=1)]
+_Order = Annotated[tuple[_Text, ...], Field(min_length=1, max_length=MAX_LISTED)]
+_Pair = Annotated[tuple[_Text, _Text], Expecting("a pair of names")]
+_Pairs = Annotated[tuple[_Pair, ...], Field(max_length=MAX_LISTED)]
+_TimeMs = Annotated[
+    StrictInt, Field(ge=0, le=MAX_TIME_MS), Expecting("a whole number of milliseconds from 0")
+]
 
 
 class _Strict(BaseModel):
     model_config = ConfigDict(extra="forbid", frozen=True)
 
 
-class _BoardJson(_Strict):
-    rows: _Side = 4
-    columns: _Side = 5
-    goal_row: _Side = 1
+class BoardJson(_Strict):
+    """The grid that the tokens lie on."""
+
+    rows: Annotated[_Side, Field(description="How many rows, the goal row among them.")] = 4
+    columns: Annotated[_Side, Field(description="How many cells each row has.")] = 5
+    goal_row: Annotated[
+        _Side, Field(description="The row that tokens are moved to, counted from 1.")
+    ] = 1
 
 
-class _MoveJson(_Strict):
-    token: _Text
-    origin: _Place
-    destination: _Place
+class MoveJson(_Strict):
+    """One pick-and-place."""
+
+    token: Annotated[_Text, Field(description="The id of the token that is moved.")]
+    origin: Annotated[_Place, Field(description="Where it lay.")]
+    destination: Annotated[_Place, Field(description="Where it was put: an empty cell.")]
 
 
 class DeckJson(_Strict):
     """The fields of a line that make its deck; exercises write theirs in the same way."""
 
-    tokens: Annotated[dict[_Text, dict[_Text, _Value]], Field(min_length=1, max_length=MAX_TOKENS)]
-    orders: dict[_Text, _Order] = Field(default_factory=dict[str, tuple[str, ...]])
-    cycles: dict[_Text, _Order] = Field(default_factory=dict[str, tuple[str, ...]])
-    relations: dict[_Text, tuple[tuple[_Text, _Text], ...]] = Field(
-        default_factory=dict[str, tuple[tuple[str, str], ...]]
-    )
-    lexicon: Annotated[tuple[_Text, ...], Field(max_length=MAX_WORDS)] = ()
+    tokens: Annotated[
+        dict[_Text, Annotated[dict[_Text, _Value], Field(max_length=MAX_NAMES)]],
+        Field(
+            min_length=1,
+            max_length=MAX_TOKENS,
+            description="Each token's id (on an electronic board the UID of its tag) with its "
+            "attributes by name. An attribute holds numbers on all tokens or strings on all.",
+            examples=[{"04A3B2": {"value": 19}, "04A3B3": {"value": 23, "colour": "red"}}],
+        ),
+    ]
+    orders: Annotated[
+        dict[_Text, _Order],
+        Field(
+            max_length=MAX_NAMES,
+            description="Attributes whose strings are ordered, each with its values from first "
+            "to last.",
+            examples=[{"day": ["Monday", "Tuesday"]}],
+        ),
+    ] = Field(default_factory=dict[str, tuple[str, ...]])
+    cycles: Annotated[
+        dict[_Text, _Order],
+        Field(
+            max_length=MAX_NAMES,
+            description="As `orders`, but the first value also follows the last.",
+        ),
+    ] = Field(default_factory=dict[str, tuple[str, ...]])
+    relations: Annotated[
+        dict[_Text, _Pairs],
+        Field(
+            max_length=MAX_NAMES,
+            description="Relations between tokens, each with its pairs of values of the "
+            "attribute `name`.",
+            examples=[{"partner": [["cup", "saucer"]]}],
+        ),
+    ] = Field(default_factory=dict[str, tuple[tuple[str, str], ...]])
+    lexicon: Annotated[
+        tuple[_Text, ...],
+        Field(
+            max_length=MAX_WORDS,
+            description="The words that count as words, for rules about spelling.",
+            examples=[["CURIE"]],
+        ),
+    ] = ()
 
     def deck(self) -> Deck:
         """The deck these fields describe.
@@ -104,10 +165,7 @@ class DeckJson(_Strict):
             InvalidError: the deck contradicts itself.
         """
         tokens = tuple(
-            Token(
-                TokenId(token),
-                tuple((name, cast("Value", value)) for name, value in shown.items()),
-            )
+            Token(TokenId(token), tuple(cast("dict[str, Value]", shown).items()))
             for token, shown in self.tokens.items()
         )
         relations = {name: frozenset(pairs) for name, pairs in self.relations.items()}
@@ -115,30 +173,84 @@ class DeckJson(_Strict):
 
 
 class DemonstrationJson(DeckJson):
-    """One line of a file of demonstrations, plays or positions."""
+    """One line of a file of demonstrations, plays or positions (JSON Lines, UTF-8).
 
-    format: Literal["maestra.demonstration/1"]
-    board: _BoardJson
-    start: dict[_Text, _Place]
-    moves: Annotated[tuple[_MoveJson, ...], Field(max_length=MAX_MOVES)]
-    label: Annotated[StrictStr, Field(max_length=MAX_TEXT)] | None = None
-    times_ms: tuple[StrictInt, ...] | None = None
-    source: Annotated[StrictStr, Field(max_length=MAX_TEXT)] | None = None
+    All three have one shape: a play is a demonstration by a patient, a position a play that is
+    not finished.
+    """
+
+    format: Annotated[
+        Literal["maestra.demonstration/1"],
+        Field(description="The name and version of this format."),
+    ]
+    board: Annotated[BoardJson, Field(description="The board, the same on every line of a file.")]
+    start: Annotated[
+        dict[_Text, _Place],
+        Field(
+            max_length=MAX_TOKENS,
+            description="Where each token of `tokens` lies before the first move; one token a "
+            "cell at most.",
+            examples=[{"04A3B2": [2, 1], "04A3B3": [3, 4]}],
+        ),
+    ]
+    moves: Annotated[
+        tuple[MoveJson, ...],
+        Field(
+            max_length=MAX_MOVES,
+            description="What was moved, in order; each move starts where its token lies by then.",
+            examples=[[{"token": "04A3B2", "origin": [2, 1], "destination": [1, 1]}]],
+        ),
+    ]
+    label: Annotated[
+        Annotated[
+            StrictStr,
+            Field(max_length=MAX_TEXT, pattern=PLAIN),
+            Expecting(f"at most {MAX_TEXT} characters, no control characters"),
+        ]
+        | None,
+        Field(description="Any text: a name, a note. It changes nothing."),
+    ] = None
+    times_ms: Annotated[
+        tuple[_TimeMs, ...] | None,
+        Field(
+            max_length=MAX_MOVES,
+            description="When each move was made: milliseconds since the start, one for each "
+            "move, never falling.",
+        ),
+    ] = None
+    source: Annotated[
+        Annotated[Source, Expecting("one of board, file, simulated")] | None,
+        Field(description="Where it was played."),
+    ] = None
 
     def demonstration(self) -> Demonstration:
         """The demonstration this line describes.
 
         Raises:
-            InvalidError: the line is well-formed, but no board could show it.
+            InvalidError: the line is well-formed, but no board could show it; with every fault
+                of the board, the deck and the start, or else every fault of the moves.
         """
-        board = Board(self.board.rows, self.board.columns, Row(self.board.goal_row))
-        deck = self.deck()
-        start = _state(board, self.start)
+        return self.played_with(DeckJson.deck)
+
+    def played_with(self, deck_of: Callable[[DeckJson], Deck]) -> Demonstration:
+        """The demonstration, its deck made by `deck_of`; raises as `demonstration` does."""
+        faults: list[Fault] = []
+        board = _attempt(self._board, faults, "board")
+        deck = _attempt(lambda: deck_of(self), faults)
+        start = None if board is None else _attempt(lambda: self._start(board), faults, "start")
+        if deck is None or start is None:
+            raise InvalidError(faults)
         moves = tuple(
-            Move(TokenId(move.token), _cell(move.origin), _cell(move.destination))
+            Move(TokenId(move.token), _cell(*move.origin), _cell(*move.destination))
             for move in self.moves
         )
         return Demonstration(deck, start, moves, self.label, self.times_ms, self.source)
+
+    def _board(self) -> Board:
+        return _board(self.board.rows, self.board.columns, self.board.goal_row)
+
+    def _start(self, board: Board) -> State:
+        return State(board, {TokenId(token): _cell(*at) for token, at in self.start.items()})
 
 
 def read_demonstrations(chunks: Iterable[bytes], file: str) -> Iterator[Demonstration]:
@@ -152,18 +264,18 @@ def read_demonstrations(chunks: Iterable[bytes], file: str) -> Iterator[Demonstr
         FormatError: at the first line that is no demonstration, is on another board than the
             first, or when there is none at all.
     """
-    board: Board | None = None
+    first: tuple[int, Board] | None = None
+    decks = _Decks()
     for number, line in split_lines(chunks, file):
-        demonstration = decode_demonstration(line, file, number)
-        if board is not None and demonstration.board != board:
-            found, expected = (
-                _describe(demonstration.board),
-                f"{_describe(board)} as on line 1",
-            )
-            raise FormatError(file, number, (Fault("board", found, expected),))
+        demonstration = _decode(line, file, number, decks.deck_of)
         board = demonstration.board
+        if first is None:
+            first = (number, board)
+        elif board != first[1]:
+            expected = f"{_describe(first[1])} as on line {first[0]}"
+            raise FormatError(file, number, (Fault("board", _describe(board), expected),))
         yield demonstration
-    if board is None:
+    if first is None:
         expected = "at least one demonstration, one a line"
         raise FormatError(file, 1, (Fault("", "an empty file", expected),))
 
@@ -174,14 +286,7 @@ def decode_demonstration(line: bytes, file: str = "-", number: int = 1) -> Demon
     Raises:
         FormatError: it is none; with every fault.
     """
-    fields = decode_object(line, file, number, DEMONSTRATION_FORMAT)
-    try:
-        return DemonstrationJson.model_validate(fields).demonstration()
-    except ValidationError as error:
-        faults = tuple(_fault(detail) for detail in error.errors(include_url=False))
-        raise FormatError(file, number, faults) from None
-    except InvalidError as error:
-        raise FormatError(file, number, error.faults) from None
+    return _decode(line, file, number, DeckJson.deck)
 
 
 def encode_demonstration(demonstration: Demonstration) -> str:
@@ -189,11 +294,7 @@ def encode_demonstration(demonstration: Demonstration) -> str:
     board = demonstration.board
     fields: dict[str, object] = {
         "format": DEMONSTRATION_FORMAT,
-        "board": {
-            "rows": board.rows,
-            "columns": board.columns,
-            "goal_row": board.goal_row,
-        },
+        "board": {"rows": board.rows, "columns": board.columns, "goal_row": board.goal_row},
         **encode_deck(demonstration.deck),
         "start": {token: _pair(cell) for token, cell in demonstration.start.cells.items()},
         "moves": [encode_move(move) for move in demonstration.moves],
@@ -219,9 +320,7 @@ def encode_deck(deck: Deck) -> dict[str, object]:
     return {"tokens": tokens} | {name: value for name, value in optional.items() if value}
 
 
-def encode_attributes(
-    attributes: Iterable[tuple[str, Value]],
-) -> dict[str, int | float | str]:
+def encode_attributes(attributes: Iterable[tuple[str, Value]]) -> dict[str, int | float | str]:
     """What a token shows, as JSON numbers and strings."""
     return {
         name: float(value) if isinstance(value, Decimal) else value for name, value in attributes
@@ -237,34 +336,51 @@ def encode_move(move: Move) -> dict[str, object]:
     }
 
 
-def _fault(detail: ErrorDetails) -> Fault:
-    """Pydantic's words in ours: the path in brackets and dots, what is there, what should be."""
-    path = "".join(f"[{key}]" if isinstance(key, int) else f".{key}" for key in detail["loc"])
-    where = path.removeprefix(".").removesuffix(".[key]")
-    found, context = shorten(detail["input"]), detail.get("ctx", {})
-    match detail["type"]:
-        case "missing":
-            return Fault(where, "missing", "this field")
-        case "extra_forbidden":
-            return Fault(where, "unknown field", "only the fields of the format")
-        case "value_error":
-            return Fault(where, found, str(context["error"]))
-        case _:
-            message = detail["msg"]
-            return Fault(where, found, message[0].lower() + message[1:])
+class _Decks:
+    """The deck of the line before: most files have one, built once, not a million times."""
+
+    def __init__(self) -> None:
+        self._last: tuple[object, Deck] | None = None
+
+    def deck_of(self, fields: DeckJson) -> Deck:
+        """The deck that `fields` describe."""
+        written = (fields.tokens, fields.orders, fields.cycles, fields.relations, fields.lexicon)
+        if self._last is None or self._last[0] != written:
+            self._last = (written, fields.deck())
+        return self._last[1]
 
 
-def _state(board: Board, places: Mapping[str, tuple[int, int]]) -> State:
+def _decode(
+    line: bytes, file: str, number: int, deck_of: Callable[[DeckJson], Deck]
+) -> Demonstration:
+    fields = decode_object(line, file, number, DEMONSTRATION_FORMAT)
     try:
-        return State(board, {TokenId(token): _cell(place) for token, place in places.items()})
+        return DemonstrationJson.model_validate(fields).played_with(deck_of)
+    except ValidationError as error:
+        faults = faults_of_validation(error, DemonstrationJson)
+        raise FormatError(file, number, faults) from None
     except InvalidError as error:
-        raise InvalidError(
-            [Fault(f"start.{fault.where}", fault.found, fault.expected) for fault in error.faults]
-        ) from None
+        raise FormatError(file, number, error.faults) from None
 
 
-def _cell(place: tuple[int, int]) -> Cell:
-    return Cell(Row(place[0]), Column(place[1]))
+def _attempt(build: Callable[[], _Built], faults: list[Fault], place: str = "") -> _Built | None:
+    """What `build` makes; None when it refuses, its faults then added to `faults`."""
+    try:
+        return build()
+    except InvalidError as error:
+        faults += [fault.under(place) if place else fault for fault in error.faults]
+        return None
+
+
+# Both are pure; one object a cell and a board saves most of a million lines' time and memory.
+@lru_cache(maxsize=2 * MAX_SIDE**2)
+def _cell(row: int, column: int) -> Cell:
+    return Cell(Row(row), Column(column))
+
+
+@lru_cache(maxsize=16)
+def _board(rows: int, columns: int, goal_row: int) -> Board:
+    return Board(rows, columns, Row(goal_row))
 
 
 def _pair(cell: Cell) -> tuple[int, int]:
