@@ -20,30 +20,24 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from enum import Enum
-from functools import cached_property
 from typing import TYPE_CHECKING, Final
 
-from maestra.rules.features import FRAME
-from maestra.rules.literals import Placed
+from maestra.rules.demands import Demands
 from maestra.rules.vocabulary import positions
 
 if TYPE_CHECKING:
-    from collections.abc import Iterator, Mapping
+    from collections.abc import Iterator, Mapping, Sequence
 
     from maestra.core.board import Cell
     from maestra.core.state import State
     from maestra.core.tokens import Deck
+    from maestra.rules.demands import Domain, Place, Tokens
     from maestra.rules.strips import ActionModel
-
-    Tokens = int
-    """A set of the deck's tokens, a bit each, in the deck's order."""
-    Domain = dict[Cell, Tokens]
-    """For each destination, the tokens that may still go there at a step."""
 
 QUICK_NODES: Final = 200
 """Choices before the quick search gives way: a completion of 20 steps takes 20."""
 CAREFUL_NODES: Final = 2_000
-"""Choices before the careful search gives up: about ten seconds on the largest boards."""
+"""Choices before the careful search gives up: some seconds on the largest boards."""
 STATE_NODES: Final = 200_000
 """States before the search state by state gives up: more than the paper's board has."""
 
@@ -64,8 +58,8 @@ class _Node:
     step: int
     domains: tuple[Domain, ...]
     """One for each step still to come."""
-    contents: Mapping[Cell, int]
-    """What lies on the watched cells, as indices into the vocabulary's `shown`."""
+    contents: Mapping[Place, int]
+    """What lies on the cells, as indices into the vocabulary's `shown`."""
 
 
 class _LostError(Exception):
@@ -81,65 +75,72 @@ class Completion:
         Raises:
             InvalidError: a token of the deck shows what the model does not know.
         """
-        self.model = model
-        self.lengths = lengths
-        self.vocabulary = model.vocabulary
-        self.tokens = tuple(token.id for token in deck.tokens)
-        self._place = {token: index for index, token in enumerate(self.tokens)}
-        indices = self.vocabulary.indices(deck)
-        self._shown = tuple(indices[token] for token in self.tokens)
-        self._goal_cells = self.vocabulary.board.goal_cells
-        self._columns: dict[tuple[int, Cell, int], tuple[Cell, ...]] = {}
-        self._groups: dict[tuple[int, Cell], dict[int, Tokens]] = {}
-        self._liked: dict[tuple[int, int], Tokens] = {}
-        self._fitting: dict[tuple[int, Cell, int], Tokens] = {}
-        self._orders: dict[tuple[int, Cell], tuple[int, ...]] = {}
+        self._model = model
+        self._lengths = lengths
+        self._demands = Demands(model, deck, max(lengths))
+        self._tokens = tuple(token.id for token in deck.tokens)
+        self._shown_by = dict(zip(self._tokens, self._demands.shown, strict=True))
 
     def prospect(self, state: State, made: int) -> Prospect:
         """Whether the play can be completed from `state`, after `made` moves."""
-        if made in self.lengths:
+        if made in self._lengths:
             return Prospect.POSSIBLE
-        contents = {cell: self._shown[self._place[token]] for token, cell in state.cells.items()}
-        if not self._one_way:
-            return search_states(self.model, self.lengths, contents, made)
-        found = [
-            self._search(state, contents, made, length)
-            for length in sorted(self.lengths)
-            if length > made
-        ]
+        if not self._demands.one_way:
+            contents = {cell: self._shown_by[token] for token, cell in state.cells.items()}
+            return search_states(self._model, self._lengths, contents, made)
+        places = self._demands.places
+        lying = [places[state.cells[token]] for token in self._tokens]
+        ends = [length for length in sorted(self._lengths) if length > made]
+        found = [self._search(lying, made, length) for length in ends]
         if Prospect.POSSIBLE in found:
             return Prospect.POSSIBLE
         return Prospect.UNDECIDED if Prospect.UNDECIDED in found else Prospect.IMPOSSIBLE
 
-    @cached_property
-    def _one_way(self) -> bool:
-        """Whether every action takes a token from storage to the goal row."""
-        frame = self.vocabulary.bits(Placed(feature, value=True) for feature in FRAME)
-        return all(frame & ~bits == 0 for bits in self.model.preconditions.values())
-
-    def _search(
-        self, state: State, contents: Mapping[Cell, int], made: int, length: int
-    ) -> Prospect:
+    def _search(self, lying: Sequence[Place], made: int, length: int) -> Prospect:
+        """Whether a play of `length` moves can be completed; `lying` says where each token is."""
+        shown, goal = self._demands.shown, frozenset(self._demands.goal)
+        contents = {place: shown[token] for token, place in enumerate(lying)}
+        stored = sum(1 << token for token, place in enumerate(lying) if place not in goal)
         domains: list[Domain] = []
         for step in range(made + 1, length + 1):
-            domain = self._domain(state, contents, step)
+            domain = self._domain(lying, contents, stored, step)
             if not domain:
                 return Prospect.IMPOSSIBLE
             domains.append(domain)
-        watched = self.vocabulary.offsets
-        seen = {cell: shown for cell, shown in contents.items() if cell in watched}
-        root = _Node(made + 1, tuple(domains), seen)
+        root = _Node(made + 1, tuple(domains), contents)
         for nodes, careful in ((QUICK_NODES, False), (CAREFUL_NODES, True)):
             budget = iter(range(nodes))
             try:
-                done = self._completes(root, state, budget, careful=careful)
+                done = self._completes(root, lying, budget, careful=careful)
             except _LostError:
                 continue
             return Prospect.POSSIBLE if done else Prospect.IMPOSSIBLE
         return Prospect.UNDECIDED
 
+    def _domain(
+        self, lying: Sequence[Place], contents: Mapping[Place, int], stored: Tokens, step: int
+    ) -> Domain:
+        """For each empty goal cell, the tokens that may go there at `step` for all we know now."""
+        demands = self._demands
+        fitting = stored
+        for place in demands.relevant(step):
+            if place in contents and place in demands.goal:
+                fitting &= demands.fits(step, place, contents[place])
+        reach = demands.reach(step)
+        domain = {
+            place: left
+            for place, tokens in reach.from_anywhere.items()
+            if place not in contents and (left := tokens & fitting)
+        }
+        for token, demanded in reach.by_origin:
+            if fitting >> token & 1:
+                for place in demands.destinations(demanded, lying[token]):
+                    if place not in contents:
+                        domain[place] = domain.get(place, 0) | 1 << token
+        return domain
+
     def _completes(
-        self, node: _Node, state: State, budget: Iterator[int], *, careful: bool
+        self, node: _Node, lying: Sequence[Place], budget: Iterator[int], *, careful: bool
     ) -> bool:
         """Whether some choice of tokens and cells completes the play from `node`."""
         if not node.domains:
@@ -147,139 +148,47 @@ class Completion:
         if careful and not self._consistent(node):
             return False
         exact = self._exact(node)
-        for cell, tokens in node.domains[0].items():
+        for place, tokens in node.domains[0].items():
             candidates = tokens & exact
-            for token in self._order(node.step, cell) if candidates else ():
+            for token in self._demands.order(node.step, place) if candidates else ():
                 if not candidates >> token & 1:
                     continue
                 if next(budget, None) is None:
                     raise _LostError
-                after = self._place_token(node, state, token, cell)
-                if after is not None and self._completes(after, state, budget, careful=careful):
+                after = self._after(node, token, lying[token], place)
+                if after is not None and self._completes(after, lying, budget, careful=careful):
                     return True
         return False
-
-    def _place_token(self, node: _Node, state: State, token: int, cell: Cell) -> _Node | None:
-        """The node after this choice; None when a later step is left without any."""
-        shown = self._shown[token]
-        others = ~(1 << token)
-        later: list[Domain] = []
-        for step, domain in enumerate(node.domains[1:], start=node.step + 1):
-            keep = others & self._fits(step, cell, shown)
-            left = {
-                place: kept
-                for place, tokens in domain.items()
-                if place != cell and (kept := tokens & keep)
-            }
-            if not left:
-                return None
-            later.append(left)
-        contents = {**node.contents, cell: shown}
-        contents.pop(state.cells[self.tokens[token]], None)
-        return _Node(node.step + 1, tuple(later), contents)
-
-    def _domain(self, state: State, contents: Mapping[Cell, int], step: int) -> Domain:
-        """For each empty goal cell, the tokens that may go there at `step` for all we know now."""
-        fitting = -1
-        filled = [cell for cell in self._goal_cells if cell in contents]
-        for cell in filled if self._relevant(step) else ():
-            fitting &= self._fits(step, cell, contents[cell])
-        domain: Domain = {}
-        actions = self.model.by_step.get(step, {})
-        for token, shown in enumerate(self._shown):
-            if fitting >> token & 1 and shown in actions:
-                origin = state.cells[self.tokens[token]]
-                for cell in self._destinations(actions[shown], origin):
-                    if cell not in contents:
-                        domain[cell] = domain.get(cell, 0) | 1 << token
-        return domain
-
-    def _destinations(self, precondition: int, origin: Cell) -> tuple[Cell, ...]:
-        """The goal cells to which a token may go from `origin`, by the cells alone."""
-        demanded = precondition & ((1 << self.vocabulary.placed_size) - 1)
-        key = (demanded, origin)
-        if key not in self._reach:
-            placed = self.vocabulary.placed
-            self._reach[key] = tuple(
-                cell for cell in self._goal_cells if not demanded & ~placed(origin, cell)
-            )
-        return self._reach[key]
-
-    @cached_property
-    def _reach(self) -> dict[tuple[int, Cell], tuple[Cell, ...]]:
-        return {}
 
     def _exact(self, node: _Node) -> Tokens:
         """The tokens whose precondition likes everything that lies on the cells now."""
         tokens = -1
-        for cell in self._relevant(node.step):
-            shown = node.contents.get(cell)
+        for place in self._demands.relevant(node.step):
+            shown = node.contents.get(place)
             if shown is None:
-                tokens &= self._demands(node.step, cell).get(0, 0)
+                tokens &= self._demands.indifferent(node.step, place)
             else:
-                tokens &= self._fits(node.step, cell, shown)
+                tokens &= self._demands.fits(node.step, place, shown)
         return tokens
 
-    def _relevant(self, step: int) -> tuple[Cell, ...]:
-        """The cells at whose content some precondition of `step` looks."""
-        if step not in self._looked_at:
-            self._looked_at[step] = tuple(
-                cell for cell in self.vocabulary.watched if self._demands(step, cell).keys() - {0}
-            )
-        return self._looked_at[step]
-
-    @cached_property
-    def _looked_at(self) -> dict[int, tuple[Cell, ...]]:
-        return {}
-
-    def _demands(self, step: int, cell: Cell) -> Mapping[int, Tokens]:
-        """What preconditions of `step` demand of the content of `cell`, and whose they are."""
-        key = (step, cell)
-        if key not in self._groups:
-            vocabulary = self.vocabulary
-            block, offset = (1 << vocabulary.block_size) - 1, vocabulary.offsets[cell]
-            groups: dict[int, Tokens] = {}
-            actions = self.model.by_step.get(step, {})
-            for token, shown in enumerate(self._shown):
-                if shown in actions:
-                    demand = actions[shown] >> offset & block
-                    groups[demand] = groups.get(demand, 0) | 1 << token
-            self._groups[key] = groups
-        return self._groups[key]
-
-    def _fits(self, step: int, cell: Cell, shown: int) -> Tokens:
-        """The tokens with an action at `step` that likes `shown` to lie on `cell`."""
-        key = (step, cell, shown)
-        if key not in self._fitting:
-            self._fitting[key] = sum(
-                whose & self._likers(demand, shown)
-                for demand, whose in self._demands(step, cell).items()
-            )
-        return self._fitting[key]
-
-    def _likers(self, demand: int, shown: int) -> Tokens:
-        """The tokens for whose move a cell with `shown` on it meets `demand`."""
-        key = (demand, shown)
-        if key not in self._liked:
-            patterns = self.vocabulary.patterns
-            self._liked[key] = sum(
-                1 << token
-                for token, moved in enumerate(self._shown)
-                if not demand & ~patterns(moved)[shown]
-            )
-        return self._liked[key]
-
-    def _order(self, step: int, cell: Cell) -> tuple[int, ...]:
-        """The tokens, first those that, lying on `cell`, leave most to the later steps."""
-        key = (step, cell)
-        if key not in self._orders:
-            later = range(step + 1, max(self.lengths) + 1)
-            room = [
-                -sum(self._fits(after, cell, shown).bit_count() for after in later)
-                for shown in self._shown
-            ]
-            self._orders[key] = tuple(sorted(range(len(self.tokens)), key=room.__getitem__))
-        return self._orders[key]
+    def _after(self, node: _Node, token: int, origin: Place, place: Place) -> _Node | None:
+        """The node after this choice; None when a later step is left without any."""
+        shown = self._demands.shown[token]
+        others = ~(1 << token)
+        later: list[Domain] = []
+        for step, domain in enumerate(node.domains[1:], start=node.step + 1):
+            keep = others & self._demands.fits(step, place, shown)
+            left = {
+                goal: kept
+                for goal, tokens in domain.items()
+                if goal != place and (kept := tokens & keep)
+            }
+            if not left:
+                return None
+            later.append(left)
+        contents = {**node.contents, place: shown}
+        del contents[origin]
+        return _Node(node.step + 1, tuple(later), contents)
 
     def _consistent(self, node: _Node) -> bool:
         """Remove, in place, every token without support in another step; False if none is left."""
@@ -287,42 +196,40 @@ class Completion:
         while changed:
             changed = False
             for index, domain in enumerate(node.domains):
-                for cell, tokens in list(domain.items()):
-                    left = self._supported(node, index, cell, tokens)
-                    if left != tokens:
-                        changed = True
-                        domain[cell] = left
-                        if not left:
-                            del domain[cell]
+                for place, tokens in list(domain.items()):
+                    left = self._supported(node, index, place, tokens)
+                    changed = changed or left != tokens
+                    if left:
+                        domain[place] = left
+                    else:
+                        del domain[place]
                 if not domain:
                     return False
         return True
 
-    def _supported(self, node: _Node, index: int, cell: Cell, tokens: Tokens) -> Tokens:
-        """Those of `tokens` that may go to `cell` at this step for all the other steps know."""
-        step = node.step + index
+    def _supported(self, node: _Node, index: int, place: Place, tokens: Tokens) -> Tokens:
+        """Those of `tokens` that may go to `place` at this step for all the other steps know."""
+        demands, step = self._demands, node.step + index
         left = tokens
-        for place in self._relevant(step):
-            if place in node.contents or place not in self._goal_cells:
-                continue
-            supply = 0
-            for domain in node.domains[:index]:
-                supply |= domain.get(place, 0)
-            left &= self._demands(step, place).get(0, 0) | self._liking_any(step, place, supply)
+        for empty in demands.relevant(step):
+            if empty in demands.goal and empty not in node.contents:
+                supply = 0
+                for domain in node.domains[:index]:
+                    supply |= domain.get(empty, 0)
+                left &= demands.indifferent(step, empty) | self._liking(step, empty, supply)
         for token in positions(left):
-            shown = self._shown[token]
             for later, domain in enumerate(node.domains[index + 1 :], start=step + 1):
-                keep = self._fits(later, cell, shown) & ~(1 << token)
-                if not any(keep & rest for place, rest in domain.items() if place != cell):
+                keep = demands.fits(later, place, demands.shown[token]) & ~(1 << token)
+                if not any(keep & rest for goal, rest in domain.items() if goal != place):
                     left ^= 1 << token
                     break
         return left
 
-    def _liking_any(self, step: int, cell: Cell, supply: Tokens) -> Tokens:
-        """The tokens with an action at `step` that likes one of `supply` to lie on `cell`."""
+    def _liking(self, step: int, place: Place, supply: Tokens) -> Tokens:
+        """The tokens with an action at `step` that likes one of `supply` to lie on `place`."""
         liking = 0
         for token in positions(supply):
-            liking |= self._fits(step, cell, self._shown[token]) & ~(1 << token)
+            liking |= self._demands.fits(step, place, self._demands.shown[token]) & ~(1 << token)
         return liking
 
 
