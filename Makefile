@@ -6,6 +6,7 @@ SHELL := /bin/bash
 .NOTPARALLEL:
 
 BIN := .venv/bin
+NIGHTLY := .venv-nightly/bin
 STEP := @scripts/step.sh
 export PYTHON
 
@@ -71,6 +72,34 @@ format: setup ## format the code and repair what ruff can
 .PHONY: bench
 bench: setup ## measure speed
 	$(BIN)/python -m pytest benchmarks --benchmark-enable --benchmark-only -p no:randomly --timeout=0
+
+.PHONY: properties
+properties: setup ## the tests with 5,000 examples for each law instead of 100
+	$(BIN)/python -m pytest --numprocesses=2 --hypothesis-profile=nightly --timeout=0
+
+.PHONY: nightly-setup
+nightly-setup:
+	@VENV=.venv-nightly scripts/environment.sh nightly
+
+FUZZ_SECONDS ?= 120
+FUZZ_TARGETS := demonstrations
+
+.PHONY: fuzz
+fuzz: nightly-setup ## invented bytes into every reader, FUZZ_SECONDS=120 each
+	for target in $(FUZZ_TARGETS); do \
+		$(NIGHTLY)/python fuzz/readers.py $$target .cache/fuzz/$$target -dict=fuzz/json.dict \
+			-max_total_time=$(FUZZ_SECONDS) -max_len=8192 -verbosity=0 -print_final_stats=1 \
+			-artifact_prefix=.cache/fuzz/; \
+	done
+
+.PHONY: mutation
+mutation: nightly-setup ## which small changes of the code does no test notice?
+	$(NIGHTLY)/mutmut run
+	$(NIGHTLY)/mutmut results
+
+.PHONY: oracle
+oracle: nightly-setup ## compare with learners that are not ours
+	$(NIGHTLY)/python -m pytest oracles
 
 .PHONY: clean
 clean: ## remove everything that the other targets make
