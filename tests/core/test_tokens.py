@@ -47,6 +47,14 @@ def test_tokens_are_equal_however_their_attributes_were_written() -> None:
     assert hash(one) == hash(other)
 
 
+@pytest.mark.parametrize(
+    ("written", "kept"),
+    [("2.0", "2"), ("1.50", "1.5"), ("-0.0", "0"), ("1E+3", "1000"), ("0.10", "0.1")],
+)
+def test_equal_numbers_are_kept_alike(written: str, kept: str) -> None:
+    assert str(token("T1", a=Decimal(written)).value("a")) == kept
+
+
 def test_a_token_without_an_attribute_has_no_value_there() -> None:
     assert token("T1", value=19).value("value") == 19
     assert token("T1", value=19).value("colour") is None

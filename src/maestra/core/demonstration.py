@@ -1,4 +1,4 @@
-"""What a caregiver played: a start and the moves from it; a play and a position are alike."""
+"""What was played: a start and the moves from it, as a caregiver shows and a patient tries them."""
 
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
@@ -7,7 +7,7 @@ from typing import Final, Literal, TypeAlias, get_args
 
 from maestra.core.board import Board
 from maestra.core.faults import Fault, refuse, shorten
-from maestra.core.state import IllegalMoveError, Move, State
+from maestra.core.state import IllegalMoveError, Move, State, off_board
 from maestra.core.text import faults_of_text
 from maestra.core.tokens import Deck
 
@@ -22,13 +22,16 @@ MAX_TIME_MS: Final = 10**15
 
 
 @dataclass(frozen=True, slots=True)
-class Demonstration:
-    """A start state and the sequence of moves played from it.
+class Play:
+    """A start state and the moves tried from it, of which some may have been put back.
+
+    Which moves a board could make depends on those that were put back, and that only a judge
+    of the exercise knows; so here a move has a token of the deck and two cells of the board.
 
     Raises:
-        InvalidError: the start state lacks a token of the deck or has one more; a move that no
-            board could make, or more than `MAX_MOVES`; as many times as there are not moves, or
-            times that run backwards; a label that is no plain text.
+        InvalidError: the start state lacks a token of the deck or has one more; a move of an
+            unknown token or off the board, or more than `MAX_MOVES`; as many times as there are
+            not moves, or times that run backwards; a label that is no plain text.
     """
 
     deck: Deck
@@ -40,7 +43,7 @@ class Demonstration:
     source: Source | None = None
 
     def __post_init__(self) -> None:
-        """Refuse a demonstration that no board could show, naming every fault."""
+        """Refuse what no board could show, naming every fault."""
         refuse(
             [
                 *self._faults_of_start(),
@@ -55,6 +58,61 @@ class Demonstration:
     def board(self) -> Board:
         """The board it was played on."""
         return self.start.board
+
+    def _faults_of_start(self) -> list[Fault]:
+        known, placed = self.deck.by_id.keys(), self.start.cells.keys()
+        if known == placed:
+            return []
+        missing = [
+            Fault(f"start.{token}", "missing", "a cell for each token")
+            for token in sorted(known - placed)
+        ]
+        unknown = [
+            Fault(f"start.{token}", "unknown token", "a token of the deck")
+            for token in sorted(placed - known)
+        ]
+        return missing + unknown
+
+    def _faults_of_moves(self) -> list[Fault]:
+        if len(self.moves) > MAX_MOVES:
+            return [Fault("moves", f"{len(self.moves)} moves", f"at most {MAX_MOVES}")]
+        known, board = self.deck.by_id, self.start.board
+        faults: list[Fault] = []
+        for index, move in enumerate(self.moves):
+            place = f"moves[{index}]"
+            if move.token not in known:
+                found = f"unknown token {move.token}"
+                faults.append(Fault(f"{place}.token", found, "a token of the deck"))
+            for name, cell in (("origin", move.origin), ("destination", move.destination)):
+                if cell not in board:
+                    faults.append(off_board(f"{place}.{name}", cell, board))
+        return faults
+
+    def _faults_of_times(self) -> list[Fault]:
+        if self.times_ms is None:
+            return []
+        faults: list[Fault] = []
+        if len(self.times_ms) != len(self.moves):
+            expected = f"{len(self.moves)}, one for each move"
+            faults.append(Fault("times_ms", f"{len(self.times_ms)} times", expected))
+        if any(later < earlier for earlier, later in pairwise((0, *self.times_ms, MAX_TIME_MS))):
+            expected = "times that rise from 0, up to 10^15"
+            faults.append(Fault("times_ms", "times that run backwards or too far", expected))
+        return faults
+
+    def _faults_of_source(self) -> list[Fault]:
+        if self.source is None or self.source in SOURCES:
+            return []
+        return [Fault("source", shorten(self.source), f"one of {', '.join(SOURCES)}")]
+
+
+@dataclass(frozen=True, slots=True)
+class Demonstration(Play):
+    """A play whose every move a board could make, one after another.
+
+    Raises:
+        InvalidError: as `Play`, or a move that no board could make.
+    """
 
     def states(self) -> Iterator[State]:
         """The start state, then the state after each move: one more than there are moves."""
@@ -81,20 +139,6 @@ class Demonstration:
         times = None if self.times_ms is None else self.times_ms[:moves]
         return replace(self, moves=self.moves[:moves], times_ms=times)
 
-    def _faults_of_start(self) -> list[Fault]:
-        known, placed = self.deck.by_id.keys(), self.start.cells.keys()
-        if known == placed:
-            return []
-        missing = [
-            Fault(f"start.{token}", "missing", "a cell for each token")
-            for token in sorted(known - placed)
-        ]
-        unknown = [
-            Fault(f"start.{token}", "unknown token", "a token of the deck")
-            for token in sorted(placed - known)
-        ]
-        return missing + unknown
-
     def _faults_of_moves(self) -> list[Fault]:
         """Every impossible move; each is passed over, so that later ones are still looked at."""
         if len(self.moves) > MAX_MOVES:
@@ -107,20 +151,3 @@ class Demonstration:
             except IllegalMoveError as error:
                 faults.extend(fault.under(f"moves[{index}]") for fault in error.faults)
         return faults
-
-    def _faults_of_times(self) -> list[Fault]:
-        if self.times_ms is None:
-            return []
-        faults: list[Fault] = []
-        if len(self.times_ms) != len(self.moves):
-            expected = f"{len(self.moves)}, one for each move"
-            faults.append(Fault("times_ms", f"{len(self.times_ms)} times", expected))
-        if any(later < earlier for earlier, later in pairwise((0, *self.times_ms, MAX_TIME_MS))):
-            expected = "times that rise from 0, up to 10^15"
-            faults.append(Fault("times_ms", "times that run backwards or too far", expected))
-        return faults
-
-    def _faults_of_source(self) -> list[Fault]:
-        if self.source is None or self.source in SOURCES:
-            return []
-        return [Fault("source", shorten(self.source), f"one of {', '.join(SOURCES)}")]

@@ -296,7 +296,7 @@ def encode_demonstration(demonstration: Demonstration) -> str:
         "format": DEMONSTRATION_FORMAT,
         "board": {"rows": board.rows, "columns": board.columns, "goal_row": board.goal_row},
         **encode_deck(demonstration.deck),
-        "start": {token: _pair(cell) for token, cell in demonstration.start.cells.items()},
+        "start": {token: _pair(cell) for token, cell in sorted(demonstration.start.cells.items())},
         "moves": [encode_move(move) for move in demonstration.moves],
     }
     optional = {

@@ -46,7 +46,7 @@ class State:
         faults: list[Fault] = []
         for token, cell in self.cells.items():
             if cell not in self.board:
-                faults.append(_off_board(str(token), cell, self.board))
+                faults.append(off_board(str(token), cell, self.board))
             elif (other := tokens.setdefault(cell, token)) != token:
                 expected = f"a cell of its own ({other} lies there)"
                 faults.append(Fault(str(token), f"{_place(cell)} is taken", expected))
@@ -88,7 +88,7 @@ class State:
             found = f"{move.token} is not on {_place(move.origin)}"
             faults.append(Fault("origin", found, f"{_place(actual)}, where it lies"))
         if move.destination not in self.board:
-            faults.append(_off_board("destination", move.destination, self.board))
+            faults.append(off_board("destination", move.destination, self.board))
         elif move.destination in self.tokens:
             found = f"{_place(move.destination)} is taken by {self.tokens[move.destination]}"
             faults.append(Fault("destination", found, "an empty cell"))
@@ -113,6 +113,7 @@ def _place(cell: Cell) -> str:
     return f"[{cell.row}, {cell.column}]"
 
 
-def _off_board(where: str, cell: Cell, board: Board) -> Fault:
+def off_board(where: str, cell: Cell, board: Board) -> Fault:
+    """That `cell` is none of the board's."""
     expected = f"row 1 to {board.rows} and column 1 to {board.columns}"
     return Fault(where, f"{_place(cell)} is off the board", expected)

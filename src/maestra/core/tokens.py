@@ -67,7 +67,7 @@ class Token:
     attributes: Attributes
 
     def __post_init__(self) -> None:
-        """Sort the attributes, so that equal tokens are equal however they were written."""
+        """Sort the attributes and reduce numbers: equal tokens look and are written alike."""
         place = f"tokens.{self.id}"
         faults = [
             *faults_of_name(place, self.id),
@@ -79,8 +79,8 @@ class Token:
             if (expected := expected_value(value)) is not None:
                 faults.append(Fault(f"{place}.{name}", shorten(value), expected))
         refuse(faults)
-        ordered = tuple(sorted(self.attributes, key=lambda pair: pair[0]))
-        object.__setattr__(self, "attributes", ordered)
+        reduced = [(name, _reduce(value)) for name, value in self.attributes]
+        object.__setattr__(self, "attributes", tuple(sorted(reduced, key=lambda pair: pair[0])))
 
     def value(self, attribute: str) -> Value | None:
         """What the token shows under `attribute`; None when it has no such attribute."""
@@ -243,6 +243,13 @@ def expected_value(value: object) -> str | None:
     if not -MAX_NUMBER <= value <= MAX_NUMBER:
         return "a number from -10^15 to 10^15"
     return None if _fits_64_bits(value) else "a number of at most 15 digits"
+
+
+def _reduce(value: Value) -> Value:
+    """2.0 is 2, 1.50 is 1.5."""
+    if not isinstance(value, Decimal):
+        return value
+    return int(value) if value == value.to_integral_value() else value.normalize()
 
 
 def _fits_64_bits(value: int | Decimal) -> bool:
