@@ -1,4 +1,4 @@
-"""What was played: a start and the moves from it, as a caregiver shows and a patient tries them."""
+"""What was played: a start and the moves from it, shown by a caregiver or tried by a patient."""
 
 from collections.abc import Iterator
 from dataclasses import dataclass, replace

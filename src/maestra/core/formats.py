@@ -14,7 +14,7 @@ from pydantic.functional_validators import PlainValidator
 from pydantic.json_schema import WithJsonSchema
 
 from maestra.core.board import MAX_SIDE, Board, Cell, Column, Row
-from maestra.core.demonstration import MAX_MOVES, MAX_TIME_MS, Demonstration, Source
+from maestra.core.demonstration import MAX_MOVES, MAX_TIME_MS, Demonstration, Play, Source
 from maestra.core.faults import Fault, InvalidError
 from maestra.core.json_faults import Expecting, faults_of_validation
 from maestra.core.json_lines import FormatError, decode_object, split_lines
@@ -36,6 +36,7 @@ from maestra.core.tokens import (
 DEMONSTRATION_FORMAT: Final = "maestra.demonstration/1"
 
 _Built = TypeVar("_Built")
+_Played = TypeVar("_Played", bound=Play)
 
 
 def _value(value: object) -> Value:
@@ -230,10 +231,10 @@ class DemonstrationJson(DeckJson):
             InvalidError: the line is well-formed, but no board could show it; with every fault
                 of the board, the deck and the start, or else every fault of the moves.
         """
-        return self.played_with(DeckJson.deck)
+        return self.played(Demonstration, DeckJson.deck)
 
-    def played_with(self, deck_of: Callable[[DeckJson], Deck]) -> Demonstration:
-        """The demonstration, its deck made by `deck_of`; raises as `demonstration` does."""
+    def played(self, kind: type[_Played], deck_of: Callable[[DeckJson], Deck]) -> _Played:
+        """The play as `kind`, its deck made by `deck_of`; raises as `demonstration` does."""
         faults: list[Fault] = []
         board = _attempt(self._board, faults, "board")
         deck = _attempt(lambda: deck_of(self), faults)
@@ -244,7 +245,7 @@ class DemonstrationJson(DeckJson):
             Move(TokenId(move.token), _cell(*move.origin), _cell(*move.destination))
             for move in self.moves
         )
-        return Demonstration(deck, start, moves, self.label, self.times_ms, self.source)
+        return kind(deck, start, moves, self.label, self.times_ms, self.source)
 
     def _board(self) -> Board:
         return _board(self.board.rows, self.board.columns, self.board.goal_row)
@@ -264,17 +265,30 @@ def read_demonstrations(chunks: Iterable[bytes], file: str) -> Iterator[Demonstr
         FormatError: at the first line that is no demonstration, is on another board than the
             first, or when there is none at all.
     """
+    for _, demonstration in read_numbered(chunks, file, Demonstration):
+        yield demonstration
+
+
+def read_plays(chunks: Iterable[bytes], file: str) -> Iterator[tuple[int, Play]]:
+    """The plays of a file with the numbers of their lines; else as `read_demonstrations`."""
+    return read_numbered(chunks, file, Play)
+
+
+def read_numbered(
+    chunks: Iterable[bytes], file: str, kind: type[_Played]
+) -> Iterator[tuple[int, _Played]]:
+    """What is on each line, as `kind`, with the line's number; else as `read_demonstrations`."""
     first: tuple[int, Board] | None = None
     decks = _Decks()
     for number, line in split_lines(chunks, file):
-        demonstration = _decode(line, file, number, decks.deck_of)
-        board = demonstration.board
+        played = _decode(line, file, number, kind, decks.deck_of)
+        board = played.board
         if first is None:
             first = (number, board)
         elif board != first[1]:
             expected = f"{_describe(first[1])} as on line {first[0]}"
             raise FormatError(file, number, (Fault("board", _describe(board), expected),))
-        yield demonstration
+        yield number, played
     if first is None:
         expected = "at least one demonstration, one a line"
         raise FormatError(file, 1, (Fault("", "an empty file", expected),))
@@ -286,7 +300,7 @@ def decode_demonstration(line: bytes, file: str = "-", number: int = 1) -> Demon
     Raises:
         FormatError: it is none; with every fault.
     """
-    return _decode(line, file, number, DeckJson.deck)
+    return _decode(line, file, number, Demonstration, DeckJson.deck)
 
 
 def encode_demonstration(demonstration: Demonstration) -> str:
@@ -351,11 +365,11 @@ class _Decks:
 
 
 def _decode(
-    line: bytes, file: str, number: int, deck_of: Callable[[DeckJson], Deck]
-) -> Demonstration:
+    line: bytes, file: str, number: int, kind: type[_Played], deck_of: Callable[[DeckJson], Deck]
+) -> _Played:
     fields = decode_object(line, file, number, DEMONSTRATION_FORMAT)
     try:
-        return DemonstrationJson.model_validate(fields).played_with(deck_of)
+        return DemonstrationJson.model_validate(fields).played(kind, deck_of)
     except ValidationError as error:
         faults = faults_of_validation(error, DemonstrationJson)
         raise FormatError(file, number, faults) from None
