@@ -2,56 +2,69 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, TypeVar
 
 from maestra.core.faults import Fault, refuse
+from maestra.core.tokens import Deck, Token
 
 if TYPE_CHECKING:
-    from collections.abc import Sequence
+    from collections.abc import Iterable, Mapping, Sequence
 
-    from maestra.core.tokens import Deck
+    from maestra.core.tokens import Attributes
+
+_Declared = TypeVar("_Declared")
 
 
 def merge_decks(decks: Sequence[Deck]) -> Deck:
-    """The first deck, and from each further one the tokens that show something new.
+    """The first deck (of at least one), and from each further one the tokens that show new things.
 
     Raises:
-        InvalidError: a token shows one thing here and another there, or an attribute's order, a
-            relation or the lexicon is declared differently.
+        InvalidError: a token shows one thing here and another there; an order, a cycle, a
+            relation or the lexicon is declared differently; what one deck declares does not fit
+            the tokens of another.
     """
-    merged = decks[0]
-    for number, deck in enumerate(decks[1:], start=2):
-        if deck is not merged and deck != merged:
-            merged = _merge(merged, deck, f"demonstration {number}")
-    return merged
-
-
-def _merge(merged: Deck, deck: Deck, place: str) -> Deck:
-    faults = [
-        Fault(f"{place}: tokens.{token.id}", "shows something else", "what it showed before")
-        for token in deck.tokens
-        if token.id in merged.by_id and merged.by_id[token.id] != token
-    ]
-    for kind, before, now in (
-        ("orders", merged.orders, deck.orders),
-        ("cycles", merged.cycles, deck.cycles),
-        ("relations", merged.relations, deck.relations),
-    ):
-        faults.extend(
-            Fault(f"{place}: {kind}.{name}", "declared differently", "as it was before")
-            for name in before.keys() & now.keys()
-            if before[name] != now[name]
-        )
-    if merged.lexicon and deck.lexicon and merged.lexicon != deck.lexicon:
-        faults.append(Fault(f"{place}: lexicon", "declared differently", "as it was before"))
+    different = _different(decks)
+    if len(different) == 1:
+        return decks[0]
+    faults: list[Fault] = []
+    _unite("tokens", [(n, deck.by_id) for n, deck in different], faults)
+    orders = _unite("orders", [(n, deck.orders) for n, deck in different], faults)
+    cycles = _unite("cycles", [(n, deck.cycles) for n, deck in different], faults)
+    relations = _unite("relations", [(n, deck.relations) for n, deck in different], faults)
+    lexicons = [(n, {"words": deck.lexicon}) for n, deck in different if deck.lexicon]
+    lexicon = _unite("lexicon", lexicons, faults).get("words", ())
     refuse(faults)
-    known = {token.attributes for token in merged.tokens}
-    return replace(
-        merged,
-        tokens=(*merged.tokens, *(t for t in deck.tokens if t.attributes not in known)),
-        orders={**merged.orders, **deck.orders},
-        cycles={**merged.cycles, **deck.cycles},
-        relations={**merged.relations, **deck.relations},
-        lexicon=merged.lexicon or deck.lexicon,
-    )
+    tokens = _tokens_that_show_something_new(deck for _, deck in different)
+    return Deck(tokens, orders, cycles, relations, lexicon)
+
+
+def _different(decks: Sequence[Deck]) -> list[tuple[int, Deck]]:
+    """The decks that are not equal to an earlier one, with their numbers from 1."""
+    # Plays of one file share a deck, and to look at an object's identity takes no time.
+    objects = {id(deck): number for number, deck in reversed([*enumerate(decks, start=1)])}
+    numbers: dict[Deck, int] = {}
+    for number in sorted(objects.values()):
+        numbers.setdefault(decks[number - 1], number)
+    return [(number, deck) for deck, number in numbers.items()]
+
+
+def _unite(
+    kind: str, declared: Iterable[tuple[int, Mapping[str, _Declared]]], faults: list[Fault]
+) -> dict[str, _Declared]:
+    """Everything that is declared under some name; what is declared twice must be the same."""
+    united: dict[str, _Declared] = {}
+    for number, mapping in declared:
+        for name, value in mapping.items():
+            if united.setdefault(name, value) != value:
+                place = f"demonstration {number}: {kind}.{name}"
+                faults.append(Fault(place, "something else than before", "the same everywhere"))
+    return united
+
+
+def _tokens_that_show_something_new(decks: Iterable[Deck]) -> tuple[Token, ...]:
+    tokens: list[Token] = []
+    shown: set[Attributes] = set()
+    for deck in decks:
+        tokens += [token for token in deck.tokens if token.attributes not in shown]
+        shown.update(token.attributes for token in deck.tokens)
+    return tuple(tokens)

@@ -2,32 +2,30 @@
 
 A feature has a name, the scales of attribute it applies to, and a test. A parameter is part of
 the name: ``multiple-of-5``, ``digits-2``, ``is-red``. Where several attributes qualify, a
-feature is taken over each of them; ``less-than:size`` means that of one attribute only. Their
-words in each language are in `maestra.language`.
+feature is taken over each of them; ``less-than:size`` means that of one attribute only. What
+each tests is in `registry`, their words in each language in `maestra.language`.
 """
 
 from __future__ import annotations
 
 import difflib
-import unicodedata
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
-from decimal import Decimal
-from types import MappingProxyType
 from typing import Final, TypeAlias
 
 from maestra.core.board import Board, Cell
-from maestra.core.faults import Fault, InvalidError
-from maestra.core.tokens import NAME, Attributes, Deck, Scale, Value
-
-_NUMBERS: Final = frozenset({Scale.NUMBER})
-_LETTERS: Final = frozenset({Scale.LETTER})
-_DECLARED: Final = frozenset({Scale.LETTER, Scale.ORDER})
-_STEPPED: Final = frozenset({Scale.NUMBER, Scale.LETTER, Scale.ORDER, Scale.CYCLE})
-_ANY: Final = frozenset(Scale)
-
-PRIME_LIMIT: Final = 10**8
-"""Above it a number is not tested for being prime by trial division: no token shows such."""
+from maestra.core.faults import Fault, InvalidError, shorten
+from maestra.core.tokens import NAME, Attributes, Deck, Value
+from maestra.rules.registry import (
+    CELL_FEATURES,
+    CONVERSES,
+    IS,
+    PAIR_FEATURES,
+    PARAMETER_FEATURES,
+    SYMMETRIC,
+    TOKEN_FEATURES,
+    CellValue,
+)
 
 
 @dataclass(frozen=True, slots=True, order=True)
@@ -58,7 +56,7 @@ class PairFeature:
     @property
     def symmetric(self) -> bool:
         """Whether it always holds both ways or neither."""
-        return self.name in _SYMMETRIC
+        return self.name in SYMMETRIC
 
 
 @dataclass(frozen=True, slots=True, order=True)
@@ -82,184 +80,6 @@ class CellFeature:
 
 
 Feature: TypeAlias = TokenFeature | PairFeature | CellFeature
-CellValue: TypeAlias = Cell | int | bool
-
-_TokenTest: TypeAlias = Callable[[Value], bool]
-_PairTest: TypeAlias = Callable[[Deck, str, Value, Value], bool]
-
-
-def _is_odd(value: Value) -> bool:
-    return isinstance(value, int) and value % 2 == 1
-
-
-def _is_even(value: Value) -> bool:
-    return isinstance(value, int) and value % 2 == 0
-
-
-def _is_prime(value: Value) -> bool:
-    if not isinstance(value, int) or not 1 < value <= PRIME_LIMIT:
-        return False
-    return all(value % divisor for divisor in range(2, int(value**0.5) + 1))
-
-
-def _is_vowel(value: Value) -> bool:
-    """Whether the letter is one of a, e, i, o, u, with or without an accent."""
-    return unicodedata.normalize("NFD", str(value).casefold())[0] in "aeiou"
-
-
-def _is_consonant(value: Value) -> bool:
-    return not _is_vowel(value)
-
-
-@dataclass(frozen=True, slots=True)
-class _TokenDefinition:
-    scales: frozenset[Scale]
-    test: _TokenTest
-
-
-@dataclass(frozen=True, slots=True)
-class _ParameterDefinition:
-    """A family of token features, one for each value of a parameter."""
-
-    scales: frozenset[Scale]
-    test: Callable[[Value, str], bool]
-    accepts: Callable[[str], bool]
-
-
-@dataclass(frozen=True, slots=True)
-class _PairDefinition:
-    scales: frozenset[Scale]
-    test: _PairTest
-
-
-@dataclass(frozen=True, slots=True)
-class _CellDefinition:
-    of: Callable[[Board, Cell, Cell], CellValue]
-    values: Callable[[Board], Sequence[CellValue]]
-    """What a literal can demand of it; of a yes or no only the yes."""
-
-
-def _rows(board: Board) -> Sequence[CellValue]:
-    return range(1, board.rows + 1)
-
-
-def _columns(board: Board) -> Sequence[CellValue]:
-    return range(1, board.columns + 1)
-
-
-def _yes(_board: Board) -> Sequence[CellValue]:
-    return (True,)
-
-
-def _is_count(text: str) -> bool:
-    return text.isascii() and text.isdecimal() and 0 < len(text) <= 9 and int(text) > 0  # noqa: PLR2004 - nine digits fit any machine number
-
-
-def _is_number(text: str) -> bool:
-    digits = text.removeprefix("-").replace(".", "", 1)
-    return digits.isascii() and digits.isdecimal() and len(digits) <= 15  # noqa: PLR2004 - as formats
-
-
-def _shown(value: Value) -> str:
-    """A value as a feature's name writes it."""
-    return str(value)
-
-
-def _has_digits(value: Value, count: str) -> bool:
-    return isinstance(value, int) and len(str(abs(value))) == int(count)
-
-
-TOKEN_FEATURES: Final[Mapping[str, _TokenDefinition]] = MappingProxyType(
-    {
-        "odd": _TokenDefinition(_NUMBERS, _is_odd),
-        "even": _TokenDefinition(_NUMBERS, _is_even),
-        "prime": _TokenDefinition(_NUMBERS, _is_prime),
-        "vowel": _TokenDefinition(_LETTERS, _is_vowel),
-        "consonant": _TokenDefinition(_LETTERS, _is_consonant),
-    }
-)
-"""Features of one token that have no parameter."""
-
-PARAMETER_FEATURES: Final[Mapping[str, _ParameterDefinition]] = MappingProxyType(
-    {
-        "multiple-of": _ParameterDefinition(
-            _NUMBERS, lambda value, k: Decimal(value) % int(k) == 0, _is_count
-        ),
-        "digits": _ParameterDefinition(_NUMBERS, _has_digits, _is_count),
-        "above": _ParameterDefinition(
-            _NUMBERS, lambda value, k: Decimal(value) > Decimal(k), _is_number
-        ),
-        "below": _ParameterDefinition(
-            _NUMBERS, lambda value, k: Decimal(value) < Decimal(k), _is_number
-        ),
-        "is": _ParameterDefinition(_ANY, lambda value, shown: _shown(value) == shown, bool),
-    }
-)
-"""Families of features of one token: the parameter follows the name and a hyphen."""
-
-
-def _ranks(deck: Deck, attribute: str, first: Value, second: Value) -> tuple[Decimal, Decimal]:
-    return Decimal(deck.rank(attribute, first)), Decimal(deck.rank(attribute, second))
-
-
-def _less(deck: Deck, attribute: str, first: Value, second: Value) -> bool:
-    before, after = _ranks(deck, attribute, first, second)
-    return before < after
-
-
-def _successor(deck: Deck, attribute: str, first: Value, second: Value) -> bool:
-    before, after = _ranks(deck, attribute, first, second)
-    if attribute in deck.cycles:
-        return (before + 1) % len(deck.cycles[attribute]) == after
-    return before + 1 == after
-
-
-def _twice(_deck: Deck, _attribute: str, first: Value, second: Value) -> bool:
-    return Decimal(first) * 2 == Decimal(second)
-
-
-def _same(_deck: Deck, _attribute: str, first: Value, second: Value) -> bool:
-    return first == second
-
-
-def _different(_deck: Deck, _attribute: str, first: Value, second: Value) -> bool:
-    return first != second
-
-
-PAIR_FEATURES: Final[Mapping[str, _PairDefinition]] = MappingProxyType(
-    {
-        "less-than": _PairDefinition(_NUMBERS, _less),
-        "before": _PairDefinition(_DECLARED, _less),
-        "successor": _PairDefinition(_STEPPED, _successor),
-        "twice": _PairDefinition(_NUMBERS, _twice),
-        "same": _PairDefinition(_ANY, _same),
-        "different": _PairDefinition(_ANY, _different),
-    }
-)
-"""Features of two tokens, read "first ... second": the second is the successor of the first."""
-
-CONVERSES: Final[Mapping[str, str]] = MappingProxyType(
-    {"greater-than": "less-than", "after": "before", "predecessor": "successor", "half": "twice"}
-)
-"""Names for a feature read from its other end; whoever selects one gets the feature itself."""
-
-_SYMMETRIC: Final = frozenset({"same", "different"})
-
-CELL_FEATURES: Final[Mapping[str, _CellDefinition]] = MappingProxyType(
-    {
-        "origin": _CellDefinition(lambda _, origin, __: origin, lambda board: board.cells),
-        "destination": _CellDefinition(lambda _, __, to: to, lambda board: board.cells),
-        "origin-row": _CellDefinition(lambda _, origin, __: int(origin.row), _rows),
-        "origin-column": _CellDefinition(lambda _, origin, __: int(origin.column), _columns),
-        "destination-column": _CellDefinition(lambda _, __, to: int(to.column), _columns),
-        "same-column": _CellDefinition(lambda _, origin, to: origin.column == to.column, _yes),
-        "from-storage": _CellDefinition(
-            lambda board, origin, _: origin.row != board.goal_row, _yes
-        ),
-        "to-goal-row": _CellDefinition(lambda board, _, to: to.row == board.goal_row, _yes),
-    }
-)
-"""Features of a move's two cells."""
 
 CELLS: Final = "cells"
 """Selects `origin` and `destination` and nothing else of tokens."""
@@ -301,12 +121,13 @@ def pair_feature_holds(
 
 
 def select_features(deck: Deck, names: Sequence[str] | None) -> tuple[Feature, ...]:
-    """The features that count for `deck`, in the order of the registry.
+    """The features that count for `deck`: `FRAME`, then those of `names` in their order.
 
     Args:
-        deck: its attributes decide which features apply.
-        names: what the caregiver selected; None takes the defaults. Cell features that nobody
-            names count as by default; ``cells`` alone leaves nothing but those.
+        deck: its attributes decide which features apply. A relation named like a feature of the
+            registry cannot be selected.
+        names: what the caregiver selected; None takes the defaults. If no cell feature is among
+            them, those count that do by default; ``cells`` alone leaves nothing else.
 
     Raises:
         UnknownFeatureError: a name that is none (with the nearest known one), or that applies to
@@ -314,7 +135,7 @@ def select_features(deck: Deck, names: Sequence[str] | None) -> tuple[Feature, .
     """
     if names is None:
         applicable = _applicable(deck)
-        chosen = [applicable.get(name, ()) for name in (*DEFAULT_TOKENS, *DEFAULT_PAIRS)]
+        chosen = [applicable[name] for name in (*DEFAULT_TOKENS, *DEFAULT_PAIRS)]
         return (*FRAME, *DEFAULT_CELLS, *(feature for some in chosen for feature in some))
     faults: list[Fault] = []
     found: list[Feature] = []
@@ -330,46 +151,68 @@ def select_features(deck: Deck, names: Sequence[str] | None) -> tuple[Feature, .
     return tuple(dict.fromkeys((*FRAME, *found)))
 
 
+def labelled_feature(deck: Deck, label: str) -> Feature:
+    """The one feature whose `label` this is.
+
+    Raises:
+        UnknownFeatureError: there is none for this deck.
+    """
+    found = next((one for one in _features_named(deck, label) if one.label == label), None)
+    if found is None:
+        expected = "one feature with its attribute, such as odd:value"
+        raise UnknownFeatureError([Fault("", shorten(label), expected)])
+    return found
+
+
 def feature_names(deck: Deck) -> tuple[str, ...]:
-    """Every name that `select_features` takes for this deck, parameters written as ``K``."""
-    pairs = (*PAIR_FEATURES, *CONVERSES, *deck.relations)
+    """Every name of a feature, with the relations of `deck`; parameters are written as ``K``."""
     families = (f"{name}-K" for name in PARAMETER_FEATURES)
-    return (CELLS, *CELL_FEATURES, *TOKEN_FEATURES, *families, *pairs)
+    relations = (name for name in deck.relations if _is_relation(name))
+    names = (*TOKEN_FEATURES, *families, *PAIR_FEATURES, *CONVERSES, *relations)
+    return (CELLS, *CELL_FEATURES, *names)
 
 
 def _features_named(deck: Deck, name: str) -> tuple[Feature, ...]:
-    """The features that one selected name stands for."""
+    """The features that one selected name stands for: at least one."""
     if name == CELLS:
         return DEFAULT_CELLS
     if name in CELL_FEATURES:
         return (CellFeature(name),)
-    bare, attribute = _split_attribute(deck, name)
-    known = CONVERSES.get(bare, bare)
-    features = _applicable(deck).get(known)
-    if features is None:
-        features = _family_features(deck, known)
-    if features is None:
-        raise UnknownFeatureError([Fault(name, "unknown feature", _nearest(deck, name))])
-    if attribute:
-        features = tuple(feature for feature in features if feature.attribute == attribute)
-    if not features:
-        have = ", ".join(f"{name} ({scale.value})" for name, scale in deck.scales.items())
-        raise UnknownFeatureError(
-            [Fault(name, "no attribute it applies to", f"a feature of {have or 'this deck'}")]
-        )
-    return features
+    fault: Fault | None = None
+    for bare, attribute in _readings(deck, name):
+        features = _over_each_attribute(deck, CONVERSES.get(bare, bare))
+        if features is None:
+            continue
+        if attribute is not None:
+            features = tuple(feature for feature in features if feature.attribute == attribute)
+        if features:
+            return features
+        fault = fault or _not_applicable(deck, name, bare)
+    raise UnknownFeatureError([fault or Fault(name, "unknown feature", _nearest(deck, name))])
 
 
-def _split_attribute(deck: Deck, name: str) -> tuple[str, str]:
-    """The feature and the attribute of ``less-than:size``; a value too may have a colon."""
-    bare, colon, attribute = name.rpartition(":")
-    if not colon or (attribute not in deck.scales and bare.startswith("is-")):
-        return name, ""
-    return bare, attribute
+def _readings(deck: Deck, name: str) -> Iterator[tuple[str, str | None]]:
+    """What ``less-than:size`` can mean, as feature and attribute, the likeliest first.
+
+    Names of attributes and the values of ``is`` may have colons themselves.
+    """
+    pieces = name.split(":")
+    splits = [
+        (":".join(pieces[:count]), ":".join(pieces[count:])) for count in range(1, len(pieces))
+    ]
+    yield from (split for split in splits if split[1] in deck.scales)
+    yield name, None
+    yield from (split for split in splits if split[1] not in deck.scales)
+
+
+def _over_each_attribute(deck: Deck, name: str) -> tuple[TokenFeature | PairFeature, ...] | None:
+    """A feature over every attribute it applies to; None if there is no such feature."""
+    features = _applicable(deck).get(name)
+    return _family_features(deck, name) if features is None else features
 
 
 def _applicable(deck: Deck) -> dict[str, tuple[TokenFeature | PairFeature, ...]]:
-    """Each registered feature without a parameter, over every attribute it applies to."""
+    """Each feature without a parameter, over every attribute it applies to."""
     scales = deck.scales.items()
     tokens = {
         name: tuple(TokenFeature(name, a) for a, scale in scales if scale in definition.scales)
@@ -379,18 +222,35 @@ def _applicable(deck: Deck) -> dict[str, tuple[TokenFeature | PairFeature, ...]]
         name: tuple(PairFeature(name, a) for a, scale in scales if scale in definition.scales)
         for name, definition in PAIR_FEATURES.items()
     }
-    relations = {name: (PairFeature(name, NAME),) for name in deck.relations}
+    over_names = [NAME] if NAME in deck.scales else []
+    relations = {
+        name: tuple(PairFeature(name, attribute) for attribute in over_names)
+        for name in deck.relations
+        if _is_relation(name)
+    }
     return {**tokens, **pairs, **relations}
 
 
+def _is_relation(name: str) -> bool:
+    """Whether a relation of this name can be told from the registry's features."""
+    family, _ = _split_parameter(name)
+    registries = (TOKEN_FEATURES, PARAMETER_FEATURES, PAIR_FEATURES, CONVERSES, CELL_FEATURES)
+    return name != CELLS and not any(family in registry for registry in registries)
+
+
 def _family_features(deck: Deck, name: str) -> tuple[TokenFeature, ...] | None:
-    """The features of one token that `name` stands for with its parameter; None if none."""
+    """A feature with its parameter over every attribute it applies to; None if it is none."""
     family, parameter = _split_parameter(name)
     definition = PARAMETER_FEATURES.get(family)
     if definition is None or not definition.accepts(parameter):
         return None
     over = [a for a, scale in deck.scales.items() if scale in definition.scales]
-    return tuple(TokenFeature(name, attribute) for attribute in over)
+    features = tuple(TokenFeature(name, attribute) for attribute in over)
+    if family != IS:
+        return features
+    # A value that no token shows is a slip of the pen.
+    shown = [token.attributes for token in deck.tokens]
+    return tuple(one for one in features if any(token_feature_holds(one, own) for own in shown))
 
 
 def _split_parameter(name: str) -> tuple[str, str]:
@@ -399,6 +259,15 @@ def _split_parameter(name: str) -> tuple[str, str]:
         if name.startswith(f"{family}-"):
             return family, name.removeprefix(f"{family}-")
     return name, ""
+
+
+def _not_applicable(deck: Deck, name: str, bare: str) -> Fault:
+    """The fault of a feature that exists, but not for this deck."""
+    family, value = _split_parameter(bare)
+    if family == IS:
+        return Fault(name, "no token shows it", f"a value that some token shows, not {value}")
+    have = ", ".join(f"{one} ({scale.value})" for one, scale in deck.scales.items())
+    return Fault(name, "no attribute it applies to", f"a feature of {have or 'bare tokens'}")
 
 
 def _nearest(deck: Deck, name: str) -> str:

@@ -10,7 +10,8 @@ from maestra.core.tokens import LETTER
 
 if TYPE_CHECKING:
     from maestra.core.tokens import Attributes, Value
-    from maestra.rules.features import CellFeature, CellValue, PairFeature, TokenFeature
+    from maestra.rules.features import CellFeature, PairFeature, TokenFeature
+    from maestra.rules.registry import CellValue
 
 
 @dataclass(frozen=True, slots=True)

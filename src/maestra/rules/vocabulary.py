@@ -28,7 +28,8 @@ if TYPE_CHECKING:
 
     from maestra.core.board import Board, Cell
     from maestra.core.tokens import Attributes, Deck, TokenId
-    from maestra.rules.features import CellValue, Feature
+    from maestra.rules.features import Feature
+    from maestra.rules.registry import CellValue
 
     Bits = int
 
