@@ -36,7 +36,10 @@ find_python() {
             return
         fi
     done
-    refuse "Python $needed or newer is needed, and python3 here is $(python3 --version 2>&1 || echo missing); install one, or name it: make PYTHON=/path/to/python3 ..."
+    if command -v python3 >/dev/null; then
+        refuse "Python $needed or newer is needed, and python3 here is $(python3 --version 2>&1); install a newer one, or name it: make PYTHON=/path/to/python3 ..."
+    fi
+    refuse "Python $needed or newer is needed, and there is no python3 here; install it (on Debian, as root: apt-get install python3 python3-venv)"
 }
 
 # Debian ships python3 without venv; as root we may add it, otherwise we say so.
