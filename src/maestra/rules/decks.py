@@ -12,6 +12,7 @@ if TYPE_CHECKING:
 
     from maestra.core.tokens import Attributes
 
+_Name = TypeVar("_Name", bound=str)
 _Declared = TypeVar("_Declared")
 
 
@@ -49,10 +50,10 @@ def _different(decks: Sequence[Deck]) -> list[tuple[int, Deck]]:
 
 
 def _unite(
-    kind: str, declared: Iterable[tuple[int, Mapping[str, _Declared]]], faults: list[Fault]
-) -> dict[str, _Declared]:
+    kind: str, declared: Iterable[tuple[int, Mapping[_Name, _Declared]]], faults: list[Fault]
+) -> dict[_Name, _Declared]:
     """Everything that is declared under some name; what is declared twice must be the same."""
-    united: dict[str, _Declared] = {}
+    united: dict[_Name, _Declared] = {}
     for number, mapping in declared:
         for name, value in mapping.items():
             if united.setdefault(name, value) != value:
