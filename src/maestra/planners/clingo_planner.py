@@ -55,9 +55,9 @@ if TYPE_CHECKING:
 ENGINE: Final = "clingo"
 _WATCH_S: Final = 0.01
 """How often we look at the limits while clingo works; an answer ends the wait at once."""
-_WATCH_OPERATORS: Final = 2_000
+WATCH_OPERATORS: Final = 2_000
 """How often we look at them while stating the rules; some milliseconds."""
-_PREPARED_TO_STATED: Final = 3
+PREPARED_TO_STATED: Final = 3
 """Memory once clingo has prepared the rules against memory once they are stated; measured 2.7
 with 3,000,000 rules."""
 _QUIET: Final = ("--warn=none",)
@@ -107,7 +107,7 @@ class _Watch:
     def __init__(self, limits: Limits) -> None:
         self._limits = limits
         self._started = time.perf_counter()
-        self._memory_at_start = _resident_bytes()
+        self._memory_at_start = resident_bytes()
 
     @property
     def seconds(self) -> float:
@@ -118,12 +118,13 @@ class _Watch:
         seconds = self.seconds
         if seconds >= self._limits.time_s:
             raise _LimitReachedError(OutOfTime(ENGINE, seconds))
-        taken = _resident_bytes() - self._memory_at_start
+        taken = resident_bytes() - self._memory_at_start
         if taken * memory_factor > self._limits.memory_mb * 2**20:
             raise _LimitReachedError(OutOfMemory(ENGINE, seconds))
 
 
-def _resident_bytes() -> int:
+def resident_bytes() -> int:
+    """What this process holds in memory."""
     # The second number is the pages in memory now; getrusage only tells the most there ever were.
     return int(_STATM.read_bytes().split()[1]) * _PAGE
 
@@ -134,12 +135,12 @@ def _state_rules(control: Control, problem: PlanningProblem, watch: _Watch) -> d
         rules = _Rules(backend, problem.initial)
         for count, operator in enumerate(problem.operators, start=1):
             rules.choose(operator)
-            if count % _WATCH_OPERATORS == 0:
+            if count % WATCH_OPERATORS == 0:
                 watch.check()
         for fluent in problem.goal - problem.initial:
             backend.add_rule([], [-rules.atom(fluent)])
         backend.add_minimize(0, [(atom, 1) for atom in rules.operators])
-    watch.check(_PREPARED_TO_STATED)
+    watch.check(PREPARED_TO_STATED)
     return rules.operators
 
 

@@ -15,6 +15,7 @@ import resource
 import signal
 import subprocess
 import tempfile
+import threading
 import time
 from collections.abc import Generator, Sequence
 from dataclasses import dataclass
@@ -101,30 +102,82 @@ def run(command: Sequence[str], folder: Path, limits: Limits, *, given: str = ""
 
 
 def _run(command: Sequence[str], folder: Path, limits: Limits, stdin: BinaryIO) -> Run:
-    started = time.perf_counter()
+    began = time.perf_counter()
+    engine = _Engine()
     try:
-        process = subprocess.Popen(
-            [*_limiting_shell(limits), *command],
-            cwd=folder,
-            stdin=stdin,
-            stdout=subprocess.PIPE,
-            stderr=subprocess.STDOUT,
-            start_new_session=True,
-        )
-    except OSError as error:
-        return NotStarted(f"{command[0]}: {error.strerror}")
-    with process:
         try:
-            output, _ = process.communicate(timeout=limits.time_s)
-        except subprocess.TimeoutExpired:
-            return Overran(time.perf_counter() - started)
-        finally:
-            # Also after a normal end, for what it may have left running, and when a signal
-            # (Ctrl-C) takes us out of communicate().
+            process = engine.start([*_limiting_shell(limits), *command], folder, stdin)
+        except OSError as error:
+            return NotStarted(f"{_SHELL}: {error.strerror}")
+        output, _ = process.communicate(timeout=limits.time_s)
+    except subprocess.TimeoutExpired:
+        return Overran(time.perf_counter() - began)
+    finally:
+        engine.end()
+    seconds = time.perf_counter() - began
+    return _judge_end(process.returncode, output.decode(errors="replace"), seconds)
+
+
+class _Engine:
+    """A program that is surely dead after `end`, wherever an interrupt strikes.
+
+    Ctrl-C may be raised in the main thread at any instruction, also inside Popen, after the
+    program began and before anybody knows its process id. So Popen is called in a thread of its
+    own, where nothing is raised.
+    """
+
+    def __init__(self) -> None:
+        self._started: list[subprocess.Popen[bytes]] = []
+        self._failed: list[OSError] = []
+        self._wanted = True
+        self._lock = threading.Lock()
+        self._starter: threading.Thread | None = None
+
+    def start(
+        self, command: Sequence[str], folder: Path, stdin: BinaryIO
+    ) -> subprocess.Popen[bytes]:
+        """Start `command` in `folder`.
+
+        Raises:
+            OSError: it cannot be started.
+        """
+        self._starter = threading.Thread(target=self._start, args=(command, folder, stdin))
+        self._starter.start()
+        self._starter.join()
+        if self._failed:
+            raise self._failed[0]
+        return self._started[0]
+
+    def _start(self, command: Sequence[str], folder: Path, stdin: BinaryIO) -> None:
+        with self._lock:
+            if not self._wanted:
+                return
+            try:
+                process = subprocess.Popen(
+                    command,
+                    cwd=folder,
+                    stdin=stdin,
+                    stdout=subprocess.PIPE,
+                    stderr=subprocess.STDOUT,
+                    start_new_session=True,
+                )
+            except OSError as error:
+                self._failed.append(error)
+            else:
+                self._started.append(process)
+
+    def end(self) -> None:
+        """Kill what is left of the program: after a normal end, its children."""
+        with self._lock:  # waits for a start that is under way
+            self._wanted = False
+        for process in self._started:
             with contextlib.suppress(ProcessLookupError):
                 os.killpg(process.pid, signal.SIGKILL)
-    seconds = time.perf_counter() - started
-    return _judge_end(process.returncode, output.decode(errors="replace"), seconds)
+            process.wait()
+            if process.stdout is not None:
+                process.stdout.close()
+        if self._starter is not None and self._starter.is_alive():
+            self._starter.join()
 
 
 def _limiting_shell(limits: Limits) -> list[str]:

@@ -16,6 +16,7 @@ from __future__ import annotations
 import os
 import re
 import shutil
+import signal
 from collections.abc import Iterator, Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, Final
@@ -51,6 +52,8 @@ _PLAN_FILE: Final = "plan"
 _NOT_FOUND: Final = "PLAN NOT FOUND"
 # MpC says so when no further horizon fits in its memory limit.
 _NO_MEMORY: Final = "Was not allowed to increase horizon length"
+# It does not look at what malloc returns (`statmalloc`), so a refusal shows as one of these.
+_DEATHS_BY_MEMORY: Final = (-signal.SIGSEGV, -signal.SIGBUS, -signal.SIGABRT)
 _PLAN_LINE: Final = re.compile(r"\d+ : \((?P<action>[^ )]+)[^)]*\)")
 """A line of a plan in its IPC format; operators of one step share the number."""
 
@@ -114,7 +117,7 @@ def _ask(binary: Path, engine: str, problem: PlanningProblem, limits: Limits) ->
 def _no_plan(ended: Ended, engine: str) -> Outcome:
     if _NOT_FOUND in ended.output:
         return Unsupported(engine, "found no plan of its longest length, which proves nothing")
-    if _NO_MEMORY in ended.output:
+    if _NO_MEMORY in ended.output or ended.code in _DEATHS_BY_MEMORY:
         return OutOfMemory(engine, ended.seconds)
     return NoEngine(engine, f"ended with code {ended.code}: {last_line(ended.output)}")
 
