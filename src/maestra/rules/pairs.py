@@ -109,8 +109,7 @@ def converse(setting: Setting, masks: Related) -> Related:
 
 
 def _related(setting: Setting, relation: Relation) -> Related:
-    count = range(len(setting.deck.tokens))
-    return tuple(setting.mask(lambda b, a=a: _holds(setting, relation, a, b)) for a in count)
+    return setting.masks(lambda a, b: _holds(setting, relation, a, b))
 
 
 def _holds(setting: Setting, relation: Relation, first: Index, second: Index) -> bool:

@@ -10,19 +10,61 @@ from collections.abc import Sequence
 from enum import Enum
 from typing import Annotated, TypeAlias
 
+import numpy as np
 from pydantic import Field
 
-from maestra.rules.forms.length import FullRow
-from maestra.rules.forms.order import Ordered
-from maestra.rules.forms.patterns import Pattern
+from maestra.rules.forms.conditions import At, IfThen
+from maestra.rules.forms.context import Cue, ModelRow
+from maestra.rules.forms.counting import CompareCounts, Count, Equation, Kinds, Total
+from maestra.rules.forms.length import FullRow, UntilTotal
+from maestra.rules.forms.order import (
+    CyclicOrdered,
+    EqualSteps,
+    ExtremeAt,
+    Ordered,
+    RiseAndFall,
+    Zigzag,
+)
+from maestra.rules.forms.patterns import Blocks, Pattern, Template
+from maestra.rules.forms.relations import EachPair, TwoPlaces
 from maestra.rules.forms.selection import AllOfThem, EveryToken
-from maestra.rules.forms.sources import StraightUp
-from maestra.rules.forms.timing import FillOrder
+from maestra.rules.forms.sources import StraightUp, TakeExtreme
+from maestra.rules.forms.timing import Before, FillOrder, Follows
+from maestra.rules.forms.words import Word
 from maestra.rules.plays import Plays, Truth
 from maestra.rules.setting import Play
 
 Rule: TypeAlias = Annotated[
-    EveryToken | AllOfThem | Ordered | Pattern | StraightUp | FillOrder | FullRow,
+    EveryToken
+    | AllOfThem
+    | Ordered
+    | CyclicOrdered
+    | RiseAndFall
+    | Zigzag
+    | EqualSteps
+    | ExtremeAt
+    | EachPair
+    | TwoPlaces
+    | Pattern
+    | Template
+    | Blocks
+    | Count
+    | CompareCounts
+    | Kinds
+    | Total
+    | Equation
+    | At
+    | IfThen
+    | Word
+    | StraightUp
+    | TakeExtreme
+    | FillOrder
+    | Before
+    | Follows
+    | ModelRow
+    | Cue
+    | FullRow
+    | UntilTotal,
     Field(discriminator="form"),
 ]
 
@@ -50,9 +92,12 @@ def prospect(rule: Rule, play: Play) -> Prospect:
     return Prospect.KEPT if rule.certain(play) else Prospect.OPEN
 
 
-def holding(rule: Rule, plays: Plays) -> Truth:
-    """Which of many finished plays are right as far as `rule` says."""
-    return rule.mask(plays)
+def holding(rules: Sequence[Rule], plays: Plays) -> Truth:
+    """Which of many finished plays are right as far as all of `rules` say."""
+    right = np.ones(len(plays), np.bool_)
+    for rule in rules:
+        right &= rule.mask(plays)
+    return right
 
 
 def broken_rules(rules: Sequence[Rule], play: Play) -> tuple[Rule, ...]:

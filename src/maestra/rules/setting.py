@@ -143,6 +143,11 @@ class Setting:
         """The set of the tokens that pass."""
         return sum(1 << k for k in range(len(self.deck.tokens)) if passes(k))
 
+    def masks(self, relates: Callable[[Index, Index], bool]) -> tuple[Mask, ...]:
+        """For each token as the first of a pair, the set of those that relate as the second."""
+        count = range(len(self.deck.tokens))
+        return tuple(sum(1 << b for b in count if relates(a, b)) for a in count)
+
 
 @dataclass(frozen=True, slots=True)
 class Play:

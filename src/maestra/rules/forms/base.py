@@ -67,7 +67,11 @@ class EachSlot(Form):
     """Says for each slot of a line which tokens may be there, and of empty slots nothing."""
 
     __slots__ = ()
-    line: Line
+
+    @property
+    @abstractmethod
+    def line(self) -> Line:
+        """What it looks along."""
 
     @abstractmethod
     def allowed(self, setting: Setting) -> tuple[Mask, ...]:
@@ -94,8 +98,7 @@ class EachSlot(Form):
         """As `holds`."""
         setting = plays.setting
         table = np.vstack([as_table(setting, m, nobody=True) for m in self.allowed(setting)])
-        right: Truth = table[np.arange(setting.length), plays.line(self.line)].all(axis=1)
-        return right
+        return np.asarray(table[np.arange(setting.length), plays.line(self.line)].all(axis=1))
 
 
 Link: TypeAlias = tuple[Index, Index, Related]
@@ -109,7 +112,11 @@ class Pairwise(Form):
     """
 
     __slots__ = ()
-    line: Line
+
+    @property
+    @abstractmethod
+    def line(self) -> Line:
+        """What it looks along."""
 
     @abstractmethod
     def links(self, setting: Setting) -> Iterator[Link]:
@@ -135,7 +142,7 @@ class Pairwise(Form):
             return False
         slots = play.slots(self.line)
         return not play.room or not any(
-            _can_clash(play, slots[i], slots[j], masks)
+            can_clash(play, slots[i], slots[j], masks)
             for i, j, masks in self.links(play.setting)
             if j < len(slots)
         )
@@ -149,7 +156,7 @@ class Pairwise(Form):
         return right
 
 
-def _can_clash(play: Play, one: Index | None, two: Index | None, masks: Related) -> bool:
+def can_clash(play: Play, one: Index | None, two: Index | None, masks: Related) -> bool:
     """Whether the slots that hold `one` and `two` can come to hold a wrong pair."""
     if one is not None and two is not None:
         return False

@@ -2,15 +2,19 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass, field
 from enum import Enum
+from itertools import combinations
 from typing import Literal, assert_never
 
 import numpy as np
 
-from maestra.rules.forms.base import Form
-from maestra.rules.plays import NOBODY, Plays, Truth
-from maestra.rules.setting import Index, Play
+from maestra.rules.forms.base import Form, Link, Pairwise
+from maestra.rules.forms.ranks import NO_LIMIT
+from maestra.rules.plays import NOBODY, Plays, Truth, as_table
+from maestra.rules.setting import Index, Line, Mask, Play, Setting
+from maestra.rules.token_tests import TokenTest, passing
 
 
 class Filling(Enum):
@@ -73,12 +77,127 @@ class FillOrder(Form):
 
     def mask(self, plays: Plays) -> Truth:
         """As `holds`: the keys of the cells never fall, and none still free at the end is less."""
-        keys = np.array([*self.keys(plays.setting.length), 0])
+        length = plays.setting.length
+        keys = np.array([*self.keys(length), 0])
         filled = plays.cells != NOBODY
-        # After the last placement every free cell's key must be at least the last one's.
-        in_time = np.where(filled, keys[plays.cells], np.iinfo(np.int64).max)
+        in_time = np.where(filled, keys[plays.cells], length)
         rising = (np.diff(in_time, axis=1) >= 0).all(axis=1)
-        last = np.where(filled, keys[plays.cells], np.iinfo(np.int64).min).max(axis=1)
-        spare = np.where(plays.row == NOBODY, keys[:-1], np.iinfo(np.int64).max).min(axis=1)
+        last = np.where(filled, in_time, -length).max(axis=1)
+        spare = np.where(plays.row == NOBODY, keys[:-1], length).min(axis=1)
         right: Truth = rising & (spare >= last)
         return right
+
+
+@dataclass(frozen=True, slots=True)
+class Before(Pairwise):
+    """No token that passes `second` comes before one that passes `first`.
+
+    All reds before any blue; the kettle before the cup; along the row: all reds left of all blues.
+    """
+
+    first: TokenTest
+    second: TokenTest
+    line: Line = Line.TIME
+    form: Literal["before"] = field(default="before", kw_only=True, repr=False)
+
+    def links(self, setting: Setting) -> Iterator[Link]:
+        """Every pair."""
+        first, second = passing(setting, self.first), passing(setting, self.second)
+        masks = setting.remember(
+            self,
+            lambda: setting.masks(lambda a, b: not (second >> a & 1 and first >> b & 1)),
+        )
+        for i, j in combinations(range(setting.length), 2):
+            yield i, j, masks
+
+
+@dataclass(frozen=True, slots=True)
+class Follows(Form):
+    """After each token that passes `test` comes one that passes `follower`.
+
+    Immediately: the next one placed, or on the row the next cell's. Otherwise: any later one.
+    """
+
+    test: TokenTest
+    follower: TokenTest
+    immediately: bool = True
+    line: Line = Line.TIME
+    form: Literal["follows"] = field(default="follows", kw_only=True, repr=False)
+
+    def holds(self, play: Play) -> bool:
+        """As the class says."""
+        return not self._waiting(play)
+
+    def _masks(self, setting: Setting) -> tuple[Mask, Mask]:
+        return passing(setting, self.test), passing(setting, self.follower)
+
+    def _waiting(self, play: Play) -> list[Index]:
+        """The slots with a token that nothing follows yet."""
+        test, follower = self._masks(play.setting)
+        slots = play.slots(self.line)
+        return [
+            k
+            for k, token in enumerate(slots)
+            if token is not None and test >> token & 1 and not self._followed(slots, k, follower)
+        ]
+
+    def _followed(self, slots: tuple[Index | None, ...], k: Index, follower: Mask) -> bool:
+        later = slots[k + 1 : k + 2] if self.immediately else slots[k + 1 :]
+        return any(token is not None and follower >> token & 1 for token in later)
+
+    def possible(self, play: Play) -> bool:
+        """Whether what is left can follow all that waits, and wait for nothing itself."""
+        waiting = self._waiting(play)
+        if not waiting:
+            return True
+        test, follower = self._masks(play.setting)
+        enough = play.left & follower & ~test
+        slots = play.slots(self.line)
+        if not self.immediately:
+            # One that waits for nothing serves all before it; farthest to the right is best.
+            return bool(enough) and None in slots[max(waiting) + 1 :]
+        if self.line is Line.TIME:
+            return waiting == [len(play.placed) - 1] and bool(enough) and play.room > 0
+        runs = [self._run(slots, k, follower) for k in waiting]
+        if 0 in runs:
+            return False
+        # A waiting token takes one that waits for nothing, or as many that wait themselves as
+        # fill the gap up to a follower that lies there already: save the first for wide gaps.
+        spared = sorted(runs, reverse=True)[enough.bit_count() :]
+        return sum(spared) <= (play.left & follower & test).bit_count()
+
+    def _run(self, slots: tuple[Index | None, ...], k: Index, follower: Mask) -> int:
+        """Free cells from after k up to a follower; as good as endless where none ends them."""
+        width = 0
+        for token in slots[k + 1 :]:
+            if token is not None:
+                ends = bool(follower >> token & 1)
+                return width if ends or not width else NO_LIMIT
+            width += 1
+        return NO_LIMIT if width else 0
+
+    def certain(self, play: Play) -> bool:
+        """Whether nothing waits, and no token can come that would."""
+        test, follower = self._masks(play.setting)
+        if self._waiting(play):
+            return False
+        if not play.room or not play.left & test:
+            return True
+        slots = play.slots(self.line)
+        free = [k for k, token in enumerate(slots) if token is None]
+        return all(self._followed(slots, k, follower) for k in free)
+
+    def mask(self, plays: Plays) -> Truth:
+        """As `holds`."""
+        tokens = plays.line(self.line)
+        test, follower = (
+            as_table(plays.setting, one, nobody=False)[tokens]
+            for one in self._masks(plays.setting)
+        )
+        if self.immediately:
+            following = np.roll(follower, -1, axis=1)
+        else:
+            backwards = np.logical_or.accumulate(follower[:, ::-1], axis=1)
+            following = np.roll(backwards[:, ::-1], -1, axis=1)
+        following[:, -1] = False
+        return np.asarray((~test | following).all(axis=1))
