@@ -14,9 +14,10 @@ that is accepted is wrong, and more demonstrations only accept more.
 from __future__ import annotations
 
 from dataclasses import dataclass, field
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, NamedTuple
 
-from maestra.core.faults import Fault, InvalidError
+from maestra.core.board import Cell, Column, Row
+from maestra.core.faults import Fault, refuse
 from maestra.rules.decks import merge_decks
 from maestra.rules.exercise import Deletion, GroundedExercise, Provenance
 from maestra.rules.features import select_features
@@ -24,15 +25,13 @@ from maestra.rules.strips import Action, ActionModel
 from maestra.rules.vocabulary import Level, Vocabulary
 
 if TYPE_CHECKING:
-    from collections.abc import Iterator, Mapping, Sequence
+    from collections.abc import Mapping, Sequence
 
-    from maestra.core.board import Cell
     from maestra.core.demonstration import Demonstration
     from maestra.core.tokens import Deck, TokenId
 
 
-@dataclass(frozen=True, slots=True)
-class Observation:
+class Observation(NamedTuple):
     """One demonstrated move as the learner sees it."""
 
     moved: int
@@ -58,12 +57,16 @@ class GroundedLearner:
         """Begin with nothing shown: no action is applicable."""
         self.vocabulary = vocabulary
         self._records: dict[tuple[int, int], _Record] = {}
+        """By what the moved token shows and the step."""
         self._lengths: set[int] = set()
         self._shown = 0
-        self._indices: tuple[Deck, Mapping[TokenId, int]] = (
-            vocabulary.deck,
-            vocabulary.index_of_token,
-        )
+        self._deck, self._indices = vocabulary.deck, vocabulary.index_of_token
+        board, offsets = vocabulary.board, vocabulary.offsets
+        # By row and column, for to hash a cell takes longer than all else that is done with it.
+        self._offsets = [
+            [offsets.get(Cell(Row(row), Column(column))) for column in range(board.columns + 1)]
+            for row in range(board.rows + 1)
+        ]
 
     def show(self, demonstration: Demonstration) -> None:
         """Relax the preconditions just so much that they explain `demonstration` too.
@@ -72,74 +75,73 @@ class GroundedLearner:
             InvalidError: another board, or a token that shows what no token of the vocabulary's
                 deck does; nothing has been learned from it then.
         """
-        observations = list(self.observe(demonstration))
+        observed = self.observe(demonstration)
         self._shown += 1
-        self._lengths.add(len(observations))
-        for seen in observations:
-            key = (seen.moved, seen.step)
-            record = self._records.get(key)
+        self._lengths.add(len(observed))
+        records = self._records
+        for moved, step, holding in observed:
+            record = records.get((moved, step))
             if record is None:
-                record = self._records[key] = _Record(self.vocabulary.everything)
-            deleted = record.precondition & ~seen.holding
+                record = records[moved, step] = _Record(self.vocabulary.everything)
+            record.seen += 1
+            deleted = record.precondition & ~holding
             if deleted:
                 record.deletions.append(Deletion(self._shown, deleted))
                 record.precondition ^= deleted
-            record.seen += 1
 
-    def observe(self, demonstration: Demonstration) -> Iterator[Observation]:
+    def observe(self, demonstration: Demonstration) -> list[Observation]:
         """Each move of `demonstration` with the literals that held before it.
 
         Raises:
             InvalidError: as `show`.
         """
-        vocabulary = self.vocabulary
-        if demonstration.board != vocabulary.board:
-            raise InvalidError([Fault("board", "another board", "the board of the others")])
+        vocabulary, offsets = self.vocabulary, self._offsets
+        start = demonstration.start
+        if start.board is not vocabulary.board and start.board != vocabulary.board:
+            refuse([Fault("board", "another board", "the board of the others")])
         indices = self._indices_of(demonstration.deck)
-        offsets = vocabulary.offsets
-        contents: dict[Cell, int] = {
-            cell: indices[token]
-            for token, cell in demonstration.start.cells.items()
-            if cell in offsets
-        }
+        # What lies on the watched cells, by their offsets.
+        contents: dict[int, int] = {}
+        for token, cell in start.cells.items():
+            offset = offsets[cell.row][cell.column]
+            if offset is not None:
+                contents[offset] = indices[token]
+        observed: list[Observation] = []
         for step, move in enumerate(demonstration.moves, start=1):
+            origin, destination = move.origin, move.destination
             moved = indices[move.token]
-            row = vocabulary.patterns(moved)
-            holding = vocabulary.placed(move.origin, move.destination)
-            for cell, other in contents.items():
-                holding |= row[other] << offsets[cell]
-            yield Observation(moved, step, holding)
-            contents.pop(move.origin, None)
-            if move.destination in offsets:
-                contents[move.destination] = moved
+            patterns = vocabulary.patterns(moved)
+            holding = vocabulary.placed(origin, destination)
+            for offset, other in contents.items():
+                holding |= patterns[other] << offset
+            observed.append(Observation(moved, step, holding))
+            left = offsets[origin.row][origin.column]
+            if left is not None:
+                del contents[left]
+            taken = offsets[destination.row][destination.column]
+            if taken is not None:
+                contents[taken] = moved
+        return observed
 
     def exercise(self) -> GroundedExercise:
         """What has been learned from the demonstrations so far."""
         shown = self.vocabulary.shown
-        records = {
-            Action(shown[moved], step): record
-            for (moved, step), record in sorted(self._records.items(), key=_by_step)
+        by_step = sorted(self._records, key=lambda key: (key[1], key[0]))
+        records = {Action(shown[key[0]], key[1]): self._records[key] for key in by_step}
+        preconditions = {action: record.precondition for action, record in records.items()}
+        provenance = {
+            action: Provenance(record.seen, tuple(record.deletions))
+            for action, record in records.items()
         }
-        return GroundedExercise(
-            ActionModel(
-                self.vocabulary,
-                {action: record.precondition for action, record in records.items()},
-            ),
-            {
-                action: Provenance(record.seen, tuple(record.deletions))
-                for action, record in records.items()
-            },
-            frozenset(self._lengths),
-            self._shown,
-        )
+        model = ActionModel(self.vocabulary, preconditions)
+        return GroundedExercise(model, provenance, frozenset(self._lengths), self._shown)
 
     def _indices_of(self, deck: Deck) -> Mapping[TokenId, int]:
         """What each token shows, looked up once for plays that share a deck."""
-        known, indices = self._indices
-        if deck is not known and deck.tokens != known.tokens:
-            indices = self.vocabulary.indices(deck)
-            self._indices = (deck, indices)
-        return indices
+        if deck is not self._deck and deck.tokens != self._deck.tokens:
+            self._indices = self.vocabulary.indices(deck)
+            self._deck = deck
+        return self._indices
 
 
 def learn_grounded(
@@ -179,8 +181,3 @@ def vocabulary_for(
     deck = merge_decks([demonstration.deck for demonstration in demonstrations])
     board = demonstrations[0].board
     return Vocabulary(board, deck, level, select_features(deck, features))
-
-
-def _by_step(item: tuple[tuple[int, int], _Record]) -> tuple[int, int]:
-    (moved, step), _ = item
-    return step, moved

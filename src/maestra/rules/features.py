@@ -277,4 +277,7 @@ def _nearest(deck: Deck, name: str) -> str:
 
 
 def _value(attributes: Attributes, attribute: str) -> Value | None:
-    return next((value for name, value in attributes if name == attribute), None)
+    for name, value in attributes:
+        if name == attribute:
+            return value
+    return None

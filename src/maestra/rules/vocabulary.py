@@ -2,18 +2,19 @@
 
 A precondition is a set of literals; here it is one integer with a bit for each literal of the
 vocabulary, so that intersecting two sets is one instruction a word however large the board is.
-The bits that depend on a token lying on a cell are the same for every cell but for their place,
-so they are computed once for each pair of tokens and shifted.
+The literals about what lies on a cell are the same for every cell; each watched cell has a block
+of them at its own offset. So what a token makes true by lying on a cell is worked out once for
+each pair of tokens, as a pattern to be shifted.
 """
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from enum import Enum
 from functools import cached_property
 from typing import TYPE_CHECKING
 
-from maestra.core.faults import Fault, InvalidError
+from maestra.core.faults import Fault, refuse
 from maestra.rules.features import (
     CellFeature,
     PairFeature,
@@ -29,7 +30,6 @@ if TYPE_CHECKING:
     from maestra.core.board import Board, Cell
     from maestra.core.tokens import Attributes, Deck, TokenId
     from maestra.rules.features import Feature
-    from maestra.rules.registry import CellValue
 
     Bits = int
 
@@ -72,75 +72,10 @@ class Vocabulary:
         """For each token of the deck, where what it shows stands in `shown`."""
         return {token.id: self.index_of_shown[token.attributes] for token in self.deck.tokens}
 
-    @cached_property
-    def literals(self) -> tuple[Literal, ...]:
-        """Every literal, in the order of the bits."""
-        placed = (Placed(feature, value) for feature, value in self._placed_places)
-        return (*placed, *(literal for cell in self.watched for literal in self._block(cell)))
-
-    @cached_property
-    def everything(self) -> Bits:
-        """The set of all literals: the precondition that nothing satisfies."""
-        return (1 << self._size) - 1
-
-    @cached_property
-    def placed_size(self) -> int:
-        """How many literals, the first ones, speak of the move's cells."""
-        return len(self._placed_places)
-
-    @cached_property
-    def offsets(self) -> Mapping[Cell, int]:
-        """For each cell whose content is part of the vocabulary, where its bits begin."""
-        first, size = self.placed_size, self.block_size
-        return {cell: first + size * index for index, cell in enumerate(self.watched)}
-
-    def placed(self, origin: Cell, destination: Cell) -> Bits:
-        """The literals that hold because a move goes from `origin` to `destination`."""
-        cache = self._placed_cache
-        key = (origin, destination)
-        if key not in cache:
-            cells = self.cell_features
-            values = [(feature, feature.of(self.board, origin, destination)) for feature in cells]
-            places = self._placed_places
-            cache[key] = sum(1 << places[pair] for pair in values if pair in places)
-        return cache[key]
-
-    def patterns(self, moved: int) -> tuple[Bits, ...]:
-        """For each thing shown, the bits that a token showing it on a cell makes hold.
-
-        To be shifted by the cell's offset; `moved` is what the moved token shows.
-        """
-        rows = self._pattern_rows
-        if moved not in rows:
-            rows[moved] = tuple(self._pattern(other, moved) for other in range(len(self.shown)))
-        return rows[moved]
-
-    def holding(
-        self, contents: Mapping[Cell, int], moved: int, origin: Cell, destination: Cell
-    ) -> Bits:
-        """The literals that hold before a move.
-
-        Args:
-            contents: what lies on the cells, as indices into `shown`; cells that the vocabulary
-                does not look at may be there or not.
-            moved: what the moved token shows.
-            origin: where it lies.
-            destination: where it goes.
-        """
-        return self.placed(origin, destination) | self.lying(contents, moved)
-
-    def lying(self, contents: Mapping[Cell, int], moved: int) -> Bits:
-        """The literals that hold before a move because of what lies on the cells."""
-        bits = 0
-        row = self.patterns(moved)
-        offsets = self.offsets
-        for cell, other in contents.items():
-            if cell in offsets:
-                bits |= row[other] << offsets[cell]
-        return bits
-
     def indices(self, deck: Deck) -> Mapping[TokenId, int]:
         """For each token of another deck, where what it shows stands in `shown`.
+
+        What that deck declares (orders, relations...) does not count: this vocabulary's does.
 
         Raises:
             InvalidError: a token shows what no token of this vocabulary's deck does.
@@ -148,26 +83,15 @@ class Vocabulary:
         if deck is self.deck:
             return self.index_of_token
         known = self.index_of_shown
-        faults = [
-            Fault(f"tokens.{token.id}", "unknown to this exercise", "a token like its own")
-            for token in deck.tokens
-            if token.attributes not in known
-        ]
-        if faults:
-            raise InvalidError(faults)
+        expected = "a token that shows the same as one of its own"
+        refuse(
+            [
+                Fault(f"tokens.{token.id}", "unknown to this exercise", expected)
+                for token in deck.tokens
+                if token.attributes not in known
+            ]
+        )
         return {token.id: known[token.attributes] for token in deck.tokens}
-
-    def select(self, bits: Bits) -> tuple[Literal, ...]:
-        """The literals of a bit set."""
-        return tuple(self.literals[index] for index in positions(bits))
-
-    def bits(self, literals: Iterable[Literal]) -> Bits:
-        """The bit set of some literals.
-
-        Raises:
-            KeyError: a literal that is not in the vocabulary.
-        """
-        return sum(1 << self._place_of[literal] for literal in frozenset(literals))
 
     @cached_property
     def cell_features(self) -> tuple[CellFeature, ...]:
@@ -187,12 +111,29 @@ class Vocabulary:
         return tuple(feature for feature in self.features if isinstance(feature, TokenFeature))
 
     @cached_property
-    def _placed_places(self) -> Mapping[tuple[CellFeature, CellValue], int]:
-        board = self.board
-        pairs = [
-            (feature, value) for feature in self.cell_features for value in feature.values(board)
-        ]
-        return {pair: index for index, pair in enumerate(pairs)}
+    def literals(self) -> tuple[Literal, ...]:
+        """Every literal, in the order of the bits."""
+        return tuple(self.literal_at(place) for place in range(self.size))
+
+    @cached_property
+    def size(self) -> int:
+        """How many literals there are."""
+        return self.placed_size + len(self.watched) * self.block_size
+
+    @cached_property
+    def everything(self) -> Bits:
+        """The set of all literals: the precondition that nothing satisfies."""
+        return (1 << self.size) - 1
+
+    @cached_property
+    def placed_size(self) -> int:
+        """How many literals, the first ones, speak of the move's cells."""
+        return len(self._placed)
+
+    @cached_property
+    def block_size(self) -> int:
+        """How many literals speak of the content of one watched cell."""
+        return len(self._block)
 
     @cached_property
     def watched(self) -> tuple[Cell, ...]:
@@ -200,53 +141,163 @@ class Vocabulary:
         return self.board.cells if self.level is Level.C else self.board.goal_cells
 
     @cached_property
-    def _sides(self) -> tuple[tuple[PairFeature, bool], ...]:
-        """Each feature of two tokens, and its converse unless that says the same."""
-        both = (
-            (feature, converse) for feature in self.pair_features for converse in (False, True)
+    def offsets(self) -> Mapping[Cell, int]:
+        """For each watched cell, where its block of bits begins."""
+        first, size = self.placed_size, self.block_size
+        return {cell: first + size * index for index, cell in enumerate(self.watched)}
+
+    def literal_at(self, place: int) -> Literal:
+        """The literal of one bit.
+
+        Raises:
+            IndexError: there are not so many.
+        """
+        if place < self.placed_size:
+            return self._placed[place]
+        index, within = divmod(place - self.placed_size, self.block_size)
+        return replace(self._block[within], cell=self.watched[index])
+
+    def place_of(self, literal: Literal) -> int:
+        """The bit of a literal.
+
+        Raises:
+            KeyError: it is not in the vocabulary.
+        """
+        if isinstance(literal, Placed):
+            return self._placed_places[literal]
+        on_first_cell = replace(literal, cell=self.watched[0])
+        return self.offsets[literal.cell] + self._block_places[on_first_cell]
+
+    def select(self, bits: Bits) -> tuple[Literal, ...]:
+        """The literals of a bit set."""
+        return tuple(self.literal_at(place) for place in positions(bits))
+
+    def bits(self, literals: Iterable[Literal]) -> Bits:
+        """The bit set of some literals.
+
+        Raises:
+            KeyError: a literal that is not in the vocabulary.
+        """
+        bits = 0
+        for literal in literals:
+            bits |= 1 << self.place_of(literal)
+        return bits
+
+    def placed(self, origin: Cell, destination: Cell) -> Bits:
+        """The literals that hold because a move goes from `origin` to `destination`."""
+        # A number is found faster than a pair of cells.
+        key = ((origin.row << 8 | origin.column) << 8 | destination.row) << 8 | destination.column
+        known = self._placed_by_move.get(key)
+        if known is None:
+            known = self._placed_by_move[key] = self._work_out_placed(origin, destination)
+        return known
+
+    def patterns(self, moved: int) -> tuple[Bits, ...]:
+        """For each thing shown, the bits that a token showing it on a cell makes hold.
+
+        To be shifted by the cell's offset; `moved` is what the moved token shows.
+        """
+        known = self._patterns[moved]
+        if known is None:
+            others = range(len(self.shown))
+            known = self._patterns[moved] = tuple(self._pattern(one, moved) for one in others)
+        return known
+
+    def holding(
+        self, contents: Mapping[Cell, int], moved: int, origin: Cell, destination: Cell
+    ) -> Bits:
+        """The literals that hold before a move.
+
+        Args:
+            contents: what lies on the cells, as indices into `shown`; cells that the vocabulary
+                does not look at may be there or not.
+            moved: what the moved token shows.
+            origin: where it lies.
+            destination: where it goes.
+        """
+        return self.placed(origin, destination) | self.lying(contents, moved)
+
+    def lying(self, contents: Mapping[Cell, int], moved: int) -> Bits:
+        """The literals that hold before a move because of what lies on the cells."""
+        bits = 0
+        patterns = self.patterns(moved)
+        offsets = self.offsets
+        for cell, other in contents.items():
+            if cell in offsets:
+                bits |= patterns[other] << offsets[cell]
+        return bits
+
+    @cached_property
+    def _placed(self) -> tuple[Placed, ...]:
+        return tuple(
+            Placed(feature, value)
+            for feature in self.cell_features
+            for value in feature.values(self.board)
         )
-        return tuple(side for side in both if not (side[1] and side[0].symmetric))
 
     @cached_property
-    def _contained(self) -> tuple[Attributes, ...]:
-        return () if self.level is Level.A else self.shown
+    def _placed_places(self) -> Mapping[Placed, int]:
+        return {literal: place for place, literal in enumerate(self._placed)}
 
     @cached_property
-    def block_size(self) -> int:
-        """How many literals speak of the content of one watched cell."""
-        return len(self._sides) + len(self.token_features) + len(self._contained)
+    def _placed_by_move(self) -> dict[int, Bits]:
+        return {}
+
+    def _work_out_placed(self, origin: Cell, destination: Cell) -> Bits:
+        places = self._placed_places
+        found = (Placed(f, f.of(self.board, origin, destination)) for f in self.cell_features)
+        return sum(1 << places[literal] for literal in found if literal in places)
 
     @cached_property
-    def _size(self) -> int:
-        return self.placed_size + len(self.watched) * self.block_size
+    def _block(self) -> tuple[Related | Shows | Contains, ...]:
+        """The literals about the content of the first watched cell."""
+        cell = self.watched[0]
+        # A relation that holds both ways or neither needs no converse.
+        relations = [
+            Related(cell, feature, converse)
+            for feature in self.pair_features
+            for converse in (False, True)
+            if not (converse and feature.symmetric)
+        ]
+        tests = (Shows(cell, feature) for feature in self.token_features)
+        contained = () if self.level is Level.A else self.shown
+        return (*relations, *tests, *(Contains(cell, shown) for shown in contained))
 
-    def _block(self, cell: Cell) -> Iterator[Literal]:
-        """The literals about the content of one cell, in the order of `_pattern`."""
-        yield from (Related(cell, feature, converse) for feature, converse in self._sides)
-        yield from (Shows(cell, feature) for feature in self.token_features)
-        yield from (Contains(cell, shown) for shown in self._contained)
+    @cached_property
+    def _block_places(self) -> Mapping[Related | Shows | Contains, int]:
+        return {literal: place for place, literal in enumerate(self._block)}
+
+    @cached_property
+    def _patterns(self) -> list[tuple[Bits, ...] | None]:
+        return [None] * len(self.shown)
 
     def _pattern(self, other: int, moved: int) -> Bits:
+        """The literals of a block that hold because `other` lies there and `moved` is moved."""
         there, own = self.shown[other], self.shown[moved]
-        truths = [
-            pair_feature_holds(feature, self.deck, *((own, there) if converse else (there, own)))
-            for feature, converse in self._sides
-        ]
-        truths += [token_feature_holds(feature, there) for feature in self.token_features]
-        bits = sum(1 << place for place, true in enumerate(truths) if true)
-        return bits | (1 << (len(truths) + other)) if self._contained else bits
+        bits = self._of_itself[other]
+        for place, literal in self._relations:
+            first, second = (own, there) if literal.converse else (there, own)
+            if pair_feature_holds(literal.feature, self.deck, first, second):
+                bits |= 1 << place
+        return bits
 
     @cached_property
-    def _place_of(self) -> Mapping[Literal, int]:
-        return {literal: index for index, literal in enumerate(self.literals)}
+    def _relations(self) -> tuple[tuple[int, Related], ...]:
+        """The literals of a block that depend on what is moved, with their places."""
+        block = enumerate(self._block)
+        return tuple((place, one) for place, one in block if isinstance(one, Related))
 
     @cached_property
-    def _placed_cache(self) -> dict[tuple[Cell, Cell], Bits]:
-        return {}
-
-    @cached_property
-    def _pattern_rows(self) -> dict[int, tuple[Bits, ...]]:
-        return {}
+    def _of_itself(self) -> tuple[Bits, ...]:
+        """For each thing shown, the literals of a block that hold whatever is moved."""
+        first = len(self._relations)
+        contained = first + len(self.token_features)
+        bits: list[Bits] = []
+        for index, shown in enumerate(self.shown):
+            tests = enumerate(self.token_features, start=first)
+            own = sum(1 << place for place, one in tests if token_feature_holds(one, shown))
+            bits.append(own if self.level is Level.A else own | 1 << contained + index)
+        return tuple(bits)
 
 
 def positions(bits: Bits) -> Iterator[int]:
