@@ -67,15 +67,15 @@ def test_every_impossible_move_is_named_with_its_place() -> None:
     )
 
 
-def test_more_moves_than_a_day_has_seconds_are_refused() -> None:
+def test_more_moves_than_a_working_day_has_are_refused() -> None:
     there, back = MOVES[0], Move(T1, cell(1, 1), cell(2, 1))
     moves = (there, back) * (MAX_MOVES // 2)
     assert len(Demonstration(DECK, START, moves).moves) == MAX_MOVES
-    assert faults_of(moves=(*moves, there)) == (Fault("moves", "100001 moves", "at most 100000"),)
+    assert faults_of(moves=(*moves, there)) == (Fault("moves", "10001 moves", "at most 10000"),)
 
 
 def test_times_that_do_not_fit_the_moves_are_refused() -> None:
-    fault = Fault("times_ms", "1 times", "2, one for each move")
+    fault = Fault("times_ms", "length 1", "2, one for each move")
     assert faults_of(times_ms=(5,)) == (fault,)
 
 

@@ -107,10 +107,10 @@ def test_a_generated_value_can_be_shown(value: Value) -> None:
         (Decimal(MAX_NUMBER) + Decimal("0.5"), "a number from -10^15 to 10^15"),
         (Decimal("0.1234567890123456789"), "a number of at most 15 digits"),
         (Decimal("1E-400"), "a number of at most 15 digits"),
-        ("a\tb", "at most 1000 characters, no control characters"),
-        ("\x9b31m", "at most 1000 characters, no control characters"),
-        ("\ud800", "at most 1000 characters, no control characters"),
-        ("x" * (MAX_TEXT + 1), "at most 1000 characters, no control characters"),
+        ("a\tb", "text of at most 1000 characters without control characters"),
+        ("\x9b31m", "text of at most 1000 characters without control characters"),
+        ("\ud800", "text of at most 1000 characters without control characters"),
+        ("x" * (MAX_TEXT + 1), "text of at most 1000 characters without control characters"),
     ],
 )
 def test_what_no_token_can_show_is_refused(value: object, expected: str) -> None:

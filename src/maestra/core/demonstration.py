@@ -15,8 +15,8 @@ Source: TypeAlias = Literal["board", "file", "simulated"]
 """Where a demonstration was played."""
 SOURCES: Final[tuple[str, ...]] = get_args(Source)
 
-MAX_MOVES: Final = 100_000
-"""A move a second for a whole day."""
+MAX_MOVES: Final = 10_000
+"""A move every three seconds for a working day."""
 MAX_TIME_MS: Final = 10**15
 """30,000 years: any clock fits, also one that counts from 1970."""
 
@@ -94,7 +94,7 @@ class Play:
         faults: list[Fault] = []
         if len(self.times_ms) != len(self.moves):
             expected = f"{len(self.moves)}, one for each move"
-            faults.append(Fault("times_ms", f"{len(self.times_ms)} times", expected))
+            faults.append(Fault("times_ms", f"length {len(self.times_ms)}", expected))
         if any(later < earlier for earlier, later in pairwise((0, *self.times_ms, MAX_TIME_MS))):
             expected = "times that rise from 0, up to 10^15"
             faults.append(Fault("times_ms", "times that run backwards or too far", expected))

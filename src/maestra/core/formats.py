@@ -48,7 +48,7 @@ def _value(value: object) -> Value:
 _Text = Annotated[
     StrictStr,
     Field(min_length=1, max_length=MAX_TEXT, pattern=PLAIN),
-    Expecting(f"1 to {MAX_TEXT} characters, no control characters"),
+    Expecting(f"text of 1 to {MAX_TEXT} characters without control characters"),
 ]
 _Side = Annotated[
     StrictInt, Field(ge=1, le=MAX_SIDE), Expecting(f"a whole number from 1 to {MAX_SIDE}")
@@ -82,7 +82,10 @@ _Value = Annotated[
         }
     ),
 ]
-_Order = Annotated[tuple[_Text, ...], Field(min_length=1, max_length=MAX_LISTED)]
+# Deck refuses what is empty: pydantic would call a list empty once all of it is wrong.
+_Order = Annotated[
+    tuple[_Text, ...], Field(max_length=MAX_LISTED, json_schema_extra={"minItems": 1})
+]
 _Pair = Annotated[tuple[_Text, _Text], Expecting("a pair of names")]
 _Pairs = Annotated[tuple[_Pair, ...], Field(max_length=MAX_LISTED)]
 _TimeMs = Annotated[
@@ -118,8 +121,8 @@ class DeckJson(_Strict):
     tokens: Annotated[
         dict[_Text, Annotated[dict[_Text, _Value], Field(max_length=MAX_NAMES)]],
         Field(
-            min_length=1,
             max_length=MAX_TOKENS,
+            json_schema_extra={"minProperties": 1},
             description="Each token's id (on an electronic board the UID of its tag) with its "
             "attributes by name. An attribute holds numbers on all tokens or strings on all.",
             examples=[{"04A3B2": {"value": 19}, "04A3B3": {"value": 23, "colour": "red"}}],
@@ -206,7 +209,7 @@ class DemonstrationJson(DeckJson):
         Annotated[
             StrictStr,
             Field(max_length=MAX_TEXT, pattern=PLAIN),
-            Expecting(f"at most {MAX_TEXT} characters, no control characters"),
+            Expecting(f"text of at most {MAX_TEXT} characters without control characters"),
         ]
         | None,
         Field(description="Any text: a name, a note. It changes nothing."),
@@ -224,17 +227,13 @@ class DemonstrationJson(DeckJson):
         Field(description="Where it was played."),
     ] = None
 
-    def demonstration(self) -> Demonstration:
-        """The demonstration this line describes.
+    def played(self, kind: type[_Played], deck_of: Callable[[DeckJson], Deck]) -> _Played:
+        """What this line describes, as `kind`, its deck made by `deck_of`.
 
         Raises:
             InvalidError: the line is well-formed, but no board could show it; with every fault
                 of the board, the deck and the start, or else every fault of the moves.
         """
-        return self.played(Demonstration, DeckJson.deck)
-
-    def played(self, kind: type[_Played], deck_of: Callable[[DeckJson], Deck]) -> _Played:
-        """The play as `kind`, its deck made by `deck_of`; raises as `demonstration` does."""
         faults: list[Fault] = []
         board = _attempt(self._board, faults, "board")
         deck = _attempt(lambda: deck_of(self), faults)
@@ -303,20 +302,20 @@ def decode_demonstration(line: bytes, file: str = "-", number: int = 1) -> Demon
     return _decode(line, file, number, Demonstration, DeckJson.deck)
 
 
-def encode_demonstration(demonstration: Demonstration) -> str:
-    """The demonstration as one line of JSON, without the line's end."""
-    board = demonstration.board
+def encode_demonstration(played: Play) -> str:
+    """The demonstration, play or position as one line of JSON, without the line's end."""
+    board = played.board
     fields: dict[str, object] = {
         "format": DEMONSTRATION_FORMAT,
         "board": {"rows": board.rows, "columns": board.columns, "goal_row": board.goal_row},
-        **encode_deck(demonstration.deck),
-        "start": {token: _pair(cell) for token, cell in sorted(demonstration.start.cells.items())},
-        "moves": [encode_move(move) for move in demonstration.moves],
+        **encode_deck(played.deck),
+        "start": {token: _pair(cell) for token, cell in sorted(played.start.cells.items())},
+        "moves": [encode_move(move) for move in played.moves],
     }
     optional = {
-        "label": demonstration.label,
-        "times_ms": demonstration.times_ms,
-        "source": demonstration.source,
+        "label": played.label,
+        "times_ms": played.times_ms,
+        "source": played.source,
     }
     fields |= {name: value for name, value in optional.items() if value is not None}
     return json.dumps(fields, ensure_ascii=False)

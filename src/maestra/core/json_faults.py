@@ -2,6 +2,7 @@
 
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
+from itertools import chain
 from typing import Final, get_args
 
 from pydantic import BaseModel, GetCoreSchemaHandler, ValidationError
@@ -53,13 +54,12 @@ def _fault(detail: ErrorDetails, model: type[BaseModel]) -> Fault:
             return Fault(where, "unknown field", f"one of {known}")
         case "value_error":
             return Fault(where, shorten(written), str(context["error"]))
-        case "too_short":
-            return Fault(where, "nothing", f"at least {context['min_length']}")
         case "too_long":
             found = f"more than {context['max_length']}"
             return Fault(where, found, f"at most {context['max_length']}")
-        case kind:
-            return Fault(where, shorten(written), _CONTAINERS.get(kind, detail["msg"]))
+        case _:
+            expected = _CONTAINERS.get(detail["type"], detail["msg"])
+            return Fault(where, shorten(written), expected)
 
 
 def _path(place: tuple[int | str, ...]) -> str:
@@ -79,6 +79,5 @@ def _model_at(model: type[BaseModel], place: tuple[int | str, ...]) -> type[Base
 
 def _models_in(annotation: object) -> Iterator[type[BaseModel]]:
     if isinstance(annotation, type) and issubclass(annotation, BaseModel):
-        yield annotation
-    for part in get_args(annotation):
-        yield from _models_in(part)
+        return iter([annotation])
+    return chain.from_iterable(map(_models_in, get_args(annotation)))

@@ -8,7 +8,7 @@ from decimal import Decimal
 from enum import Enum
 from functools import cached_property
 from types import MappingProxyType
-from typing import Final, NewType, TypeAlias
+from typing import Final, NewType, TypeAlias, assert_never
 
 from maestra.core.faults import Fault, refuse, shorten
 from maestra.core.text import MAX_TEXT, faults_of_name, is_plain
@@ -217,7 +217,8 @@ class Deck:
         """
         if not isinstance(value, str):
             return value
-        match self.scales.get(attribute, Scale.NOMINAL):
+        scale = self.scales.get(attribute, Scale.NOMINAL)
+        match scale:
             case Scale.ORDER:
                 return self.orders[attribute].index(value)
             case Scale.CYCLE:
@@ -226,6 +227,8 @@ class Deck:
                 return alphabet_rank(value)
             case Scale.NUMBER | Scale.NOMINAL:
                 raise ValueError(f"{attribute} has no order")
+            case _:
+                assert_never(scale)
 
 
 def expected_value(value: object) -> str | None:
@@ -235,7 +238,9 @@ def expected_value(value: object) -> str | None:
     """
     if isinstance(value, str):
         plain = len(value) <= MAX_TEXT and is_plain(value)
-        return None if plain else f"at most {MAX_TEXT} characters, no control characters"
+        return (
+            None if plain else f"text of at most {MAX_TEXT} characters without control characters"
+        )
     if isinstance(value, bool) or not isinstance(value, int | Decimal):
         return "a number or a string"
     if isinstance(value, Decimal) and value.is_nan():

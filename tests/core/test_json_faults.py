@@ -1,0 +1,56 @@
+from typing import Annotated, Any
+
+import pytest
+from pydantic import BaseModel, ConfigDict, Field, StrictInt, ValidationError
+
+from maestra.core.faults import Fault
+from maestra.core.json_faults import Expecting, faults_of_validation
+
+
+class Leaf(BaseModel):
+    model_config = ConfigDict(extra="forbid")
+    size: Annotated[StrictInt, Field(ge=1), Expecting("a size from 1")] = 1
+
+
+class Tree(BaseModel):
+    model_config = ConfigDict(extra="forbid")
+    leaf: Leaf | None = None
+    rows: dict[str, tuple[Leaf, ...]] = Field(default_factory=dict[str, tuple[Leaf, ...]])
+    plain: dict[str, Annotated[dict[str, int], Field(max_length=1)]] = Field(
+        default_factory=dict[str, dict[str, int]]
+    )
+
+
+def fault_of(fields: dict[str, Any]) -> Fault:
+    with pytest.raises(ValidationError) as caught:
+        Tree.model_validate(fields)
+    (fault,) = faults_of_validation(caught.value, Tree)
+    return fault
+
+
+def test_what_was_expected_is_said_whatever_is_wrong() -> None:
+    assert fault_of({"leaf": {"size": 0}}) == Fault("leaf.size", "0", "a size from 1")
+    assert fault_of({"leaf": {"size": "x"}}) == Fault("leaf.size", '"x"', "a size from 1")
+
+
+def test_an_unknown_field_is_told_with_the_known_ones_of_its_own_object() -> None:
+    unknown = "unknown field"
+    assert fault_of({"x": 1}) == Fault("x", unknown, "one of leaf, plain, rows")
+    assert fault_of({"leaf": {"x": 1}}) == Fault("leaf.x", unknown, "one of size")
+    assert fault_of({"rows": {"leaf": [{}, {"x": 1}]}}) == (
+        Fault("rows.leaf[1].x", unknown, "one of size")
+    )
+
+
+def test_a_container_of_another_kind_or_too_full_is_named() -> None:
+    assert fault_of({"rows": {"a": 1}}) == Fault("rows.a", "1", "a list")
+    assert fault_of({"plain": [1]}) == Fault("plain", "[1]", "a JSON object")
+    assert fault_of({"plain": {"a": {"b": 1, "c": 2}}}) == (
+        Fault("plain.a", "more than 1", "at most 1")
+    )
+
+
+def test_a_fault_we_have_no_words_for_is_told_in_pydantics() -> None:
+    fault = fault_of({"plain": {"a": {"b": "x"}}})
+    assert fault.where == "plain.a.b"
+    assert "valid integer" in fault.expected
