@@ -62,6 +62,7 @@ class ScriptedPlanner:
         default_factory=list[tuple[PlanningProblem, Limits]]
     )
     name: str = "scripted"
+    prefers_whole: bool = False
 
     def solve(self, problem: PlanningProblem, limits: Limits) -> Outcome:
         self.asked.append((problem, limits))

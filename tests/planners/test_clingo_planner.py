@@ -97,7 +97,7 @@ from maestra.planners import clingo_planner
 from maestra.learning.planning import Fluent, Limits, Operator, OperatorName, PlanningProblem
 NOTHING = frozenset()
 steps = tuple(
-    Operator(OperatorName(f"o{n}"), NOTHING, frozenset({Fluent(f"f{n}")})) for n in range(60_000)
+    Operator(OperatorName(f"o{n}"), NOTHING, frozenset({Fluent(f"f{n}")})) for n in range(30_000)
 )
 problem = PlanningProblem("many", NOTHING, frozenset({Fluent("f0")}), steps)
 readings = []

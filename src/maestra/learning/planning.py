@@ -172,6 +172,11 @@ class Planner(Protocol):
         """What users call this planner, for example `clingo`."""
         ...
 
+    @property
+    def prefers_whole(self) -> bool:
+        """Whether one large problem suits it better than the small ones it falls into."""
+        ...
+
     def solve(self, problem: PlanningProblem, limits: Limits) -> Outcome:
         """A plan for `problem`, or the named reason why there is none.
 

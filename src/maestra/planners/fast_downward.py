@@ -79,6 +79,11 @@ class FastDownwardPlanner:
         """What users call it."""
         return "fast-downward"
 
+    @property
+    def prefers_whole(self) -> bool:
+        """Its heuristic is worked out anew at each step: half a second by action, 4 s whole."""
+        return False
+
     def solve(self, problem: PlanningProblem, limits: Limits) -> Outcome:
         """A plan for `problem`; see `Planner`."""
         binary = self._binary or find_binary()

@@ -74,6 +74,11 @@ class MadagascarPlanner:
         """What users call it."""
         return "madagascar"
 
+    @property
+    def prefers_whole(self) -> bool:
+        """As the paper poses it."""
+        return True
+
     def solve(self, problem: PlanningProblem, limits: Limits) -> Outcome:
         """A plan for `problem`; see `Planner`."""
         binary = self._binary or find_binary()
