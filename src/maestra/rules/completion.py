@@ -88,8 +88,9 @@ class Completion:
         if not self._demands.one_way:
             contents = {cell: self._shown_by[token] for token, cell in state.cells.items()}
             return search_states(self._model, self._lengths, contents, made)
-        places = self._demands.places
-        lying = [places[state.cells[token]] for token in self._tokens]
+        columns = state.board.columns
+        cells = [state.cells[token] for token in self._tokens]
+        lying = [(cell.row - 1) * columns + cell.column - 1 for cell in cells]
         ends = [length for length in sorted(self._lengths) if length > made]
         found = [self._search(lying, made, length) for length in ends]
         if Prospect.POSSIBLE in found:
@@ -98,16 +99,11 @@ class Completion:
 
     def _search(self, lying: Sequence[Place], made: int, length: int) -> Prospect:
         """Whether a play of `length` moves can be completed; `lying` says where each token is."""
-        shown, goal = self._demands.shown, frozenset(self._demands.goal)
-        contents = {place: shown[token] for token, place in enumerate(lying)}
-        stored = sum(1 << token for token, place in enumerate(lying) if place not in goal)
-        domains: list[Domain] = []
-        for step in range(made + 1, length + 1):
-            domain = self._domain(lying, contents, stored, step)
-            if not domain:
-                return Prospect.IMPOSSIBLE
-            domains.append(domain)
-        root = _Node(made + 1, tuple(domains), contents)
+        contents = dict(zip(lying, self._demands.shown, strict=True))
+        domains = self._domains(lying, contents, made, length)
+        if not all(domains):
+            return Prospect.IMPOSSIBLE
+        root = _Node(made + 1, domains, contents)
         for nodes, careful in ((QUICK_NODES, False), (CAREFUL_NODES, True)):
             budget = iter(range(nodes))
             try:
@@ -117,25 +113,39 @@ class Completion:
             return Prospect.POSSIBLE if done else Prospect.IMPOSSIBLE
         return Prospect.UNDECIDED
 
-    def _domain(
-        self, lying: Sequence[Place], contents: Mapping[Place, int], stored: Tokens, step: int
-    ) -> Domain:
-        """For each empty goal cell, the tokens that may go there at `step` for all we know now."""
+    def _domains(
+        self, lying: Sequence[Place], contents: Mapping[Place, int], made: int, length: int
+    ) -> tuple[Domain, ...]:
+        """For each step to come, who may go to which empty goal cell for all we know now."""
         demands = self._demands
-        fitting = stored
-        for place in demands.relevant(step):
-            if place in contents and place in demands.goal:
-                fitting &= demands.fits(step, place, contents[place])
+        goal = frozenset(demands.goal)
+        stored = sum(1 << token for token, place in enumerate(lying) if place not in goal)
+        fitting = [stored] * (length - made)
+        for place in demands.goal:
+            if place in contents:
+                liking = demands.fitting(place, contents[place])[made + 1 : length + 1]
+                fitting = [tokens & likers for tokens, likers in zip(fitting, liking, strict=True)]
+        steps = range(made + 1, length + 1)
+        return tuple(
+            self._domain(lying, contents, tokens, step)
+            for step, tokens in zip(steps, fitting, strict=True)
+        )
+
+    def _domain(
+        self, lying: Sequence[Place], contents: Mapping[Place, int], fitting: Tokens, step: int
+    ) -> Domain:
+        """For each empty goal cell, those of `fitting` that may go there by the move's cells."""
+        demands = self._demands
         reach = demands.reach(step)
         domain = {
             place: left
             for place, tokens in reach.from_anywhere.items()
             if place not in contents and (left := tokens & fitting)
         }
-        for token, demanded in reach.by_origin:
+        for token, demanded, places in reach.by_origin:
             if fitting >> token & 1:
-                for place in demands.destinations(demanded, lying[token]):
-                    if place not in contents:
+                for place in places:
+                    if place not in contents and demands.meets(demanded, lying[token], place):
                         domain[place] = domain.get(place, 0) | 1 << token
         return domain
 
@@ -168,16 +178,17 @@ class Completion:
             if shown is None:
                 tokens &= self._demands.indifferent(node.step, place)
             else:
-                tokens &= self._demands.fits(node.step, place, shown)
+                tokens &= self._demands.fitting(place, shown)[node.step]
         return tokens
 
     def _after(self, node: _Node, token: int, origin: Place, place: Place) -> _Node | None:
         """The node after this choice; None when a later step is left without any."""
         shown = self._demands.shown[token]
         others = ~(1 << token)
+        fitting = self._demands.fitting(place, shown)
         later: list[Domain] = []
         for step, domain in enumerate(node.domains[1:], start=node.step + 1):
-            keep = others & self._demands.fits(step, place, shown)
+            keep = others & fitting[step]
             left = {
                 goal: kept
                 for goal, tokens in domain.items()
@@ -218,8 +229,9 @@ class Completion:
                     supply |= domain.get(empty, 0)
                 left &= demands.indifferent(step, empty) | self._liking(step, empty, supply)
         for token in positions(left):
+            fitting = demands.fitting(place, demands.shown[token])
             for later, domain in enumerate(node.domains[index + 1 :], start=step + 1):
-                keep = demands.fits(later, place, demands.shown[token]) & ~(1 << token)
+                keep = fitting[later] & ~(1 << token)
                 if not any(keep & rest for goal, rest in domain.items() if goal != place):
                     left ^= 1 << token
                     break
@@ -229,7 +241,8 @@ class Completion:
         """The tokens with an action at `step` that likes one of `supply` to lie on `place`."""
         liking = 0
         for token in positions(supply):
-            liking |= self._demands.fits(step, place, self._demands.shown[token]) & ~(1 << token)
+            fitting = self._demands.fitting(place, self._demands.shown[token])
+            liking |= fitting[step] & ~(1 << token)
         return liking
 
 

@@ -14,7 +14,7 @@ from maestra.rules.features import FRAME
 from maestra.rules.literals import Placed
 
 if TYPE_CHECKING:
-    from collections.abc import Mapping
+    from collections.abc import Mapping, Sequence
 
     from maestra.core.board import Cell
     from maestra.core.tokens import Deck
@@ -37,8 +37,9 @@ class Reach:
 
     from_anywhere: Domain
     """Those to whom it does not matter which storage cell they come from."""
-    by_origin: tuple[tuple[int, int], ...]
-    """The other tokens, each with what it demands of the cells, as a bit set."""
+    by_origin: tuple[tuple[int, int, tuple[Place, ...]], ...]
+    """Each other token, what it demands of the move's cells as a bit set, and the goal cells that
+    may meet it."""
 
 
 class Demands:
@@ -61,75 +62,88 @@ class Demands:
         self.goal = tuple(self.places[cell] for cell in self._vocabulary.board.goal_cells)
         self.watched = tuple(self.places[cell] for cell in self._vocabulary.watched)
         self._reach: dict[int, Reach] = {}
-        self._from: dict[tuple[int, Place], tuple[Place, ...]] = {}
+        self._placed: dict[int, int] = {}
+        self._meeting: dict[int, tuple[Place, ...]] = {}
         self._relevant: dict[int, tuple[Place, ...]] = {}
-        self._demanded: dict[tuple[int, Place], dict[int, Tokens]] = {}
+        self._demanded: dict[Place, Mapping[int, Sequence[Tokens]]] = {}
         self._liked: dict[tuple[int, int], Tokens] = {}
-        self._fitting: dict[tuple[int, Place, int], Tokens] = {}
+        self._fitting: dict[tuple[Place, int], tuple[Tokens, ...]] = {}
         self._orders: dict[tuple[int, Place], tuple[int, ...]] = {}
 
     def reach(self, step: int) -> Reach:
         """Where the tokens may go at `step`, by the cells alone."""
         if step not in self._reach:
             anywhere: Domain = {}
-            by_origin: list[tuple[int, int]] = []
+            by_origin: list[tuple[int, int, tuple[Place, ...]]] = []
             actions = self._model.by_step.get(step, {})
-            some_origin = self.places[self._vocabulary.board.storage_cells[0]] if actions else 0
             for token, shown in enumerate(self.shown):
                 if shown not in actions:
                     continue
                 demanded = actions[shown] & self._of_move
+                places = self._goals_meeting(demanded & self._of_destination)
                 if demanded & ~self._of_destination:
-                    by_origin.append((token, demanded))
+                    by_origin.append((token, demanded, places))
                     continue
-                for place in self.destinations(demanded, some_origin):
+                for place in places:
                     anywhere[place] = anywhere.get(place, 0) | 1 << token
             self._reach[step] = Reach(anywhere, tuple(by_origin))
         return self._reach[step]
 
-    def destinations(self, demanded: int, origin: Place) -> tuple[Place, ...]:
-        """The goal cells that a token may go to from `origin` when it demands this of the cells."""
-        key = (demanded, origin)
-        if key not in self._from:
-            cells, placed = self._vocabulary.board.cells, self._vocabulary.placed
-            self._from[key] = tuple(
-                place for place in self.goal if not demanded & ~placed(cells[origin], cells[place])
+    def meets(self, demanded: int, origin: Place, destination: Place) -> bool:
+        """Whether a move between these cells meets what is demanded of its cells."""
+        key = origin * len(self.places) + destination
+        placed = self._placed.get(key)
+        if placed is None:
+            cells = self._vocabulary.board.cells
+            placed = self._vocabulary.placed(cells[origin], cells[destination])
+            self._placed[key] = placed
+        return not demanded & ~placed
+
+    def _goals_meeting(self, demanded: int) -> tuple[Place, ...]:
+        """The goal cells of which this may be demanded, from whatever storage cell."""
+        if demanded not in self._meeting:
+            some = self.places[self._vocabulary.board.storage_cells[0]]
+            self._meeting[demanded] = tuple(
+                place for place in self.goal if self.meets(demanded, some, place)
             )
-        return self._from[key]
+        return self._meeting[demanded]
 
     def relevant(self, step: int) -> tuple[Place, ...]:
         """The cells at whose content some precondition of `step` looks."""
         if step not in self._relevant:
             self._relevant[step] = tuple(
-                place for place in self.watched if self._of_content(step, place).keys() - {0}
+                place
+                for place in self.watched
+                if any(d and whose[step] for d, whose in self._demanding(place).items())
             )
         return self._relevant[step]
 
     def indifferent(self, step: int, place: Place) -> Tokens:
         """The tokens with an action at `step` that demands nothing of the content of `place`."""
-        return self._of_content(step, place).get(0, 0)
+        whose = self._demanding(place).get(0)
+        return whose[step] if whose else 0
 
-    def fits(self, step: int, place: Place, shown: int) -> Tokens:
-        """The tokens with an action at `step` that likes `shown` to lie on `place`."""
-        key = (step, place, shown)
+    def fitting(self, place: Place, shown: int) -> tuple[Tokens, ...]:
+        """For each step, from 0, the tokens with an action that likes `shown` on `place`."""
+        key = (place, shown)
         if key not in self._fitting:
-            self._fitting[key] = sum(
-                whose & self._likers(demand, shown)
-                for demand, whose in self._of_content(step, place).items()
-            )
+            fitting = [0] * (self._last + 1)
+            for demand, whose in self._demanding(place).items():
+                likers = self._likers(demand, shown)
+                fitting = [one | own & likers for one, own in zip(fitting, whose, strict=True)]
+            self._fitting[key] = tuple(fitting)
         return self._fitting[key]
 
     def order(self, step: int, place: Place) -> tuple[int, ...]:
         """The tokens, first those that, lying on `place`, leave most to the later steps."""
         key = (step, place)
         if key not in self._orders:
-            later = range(step + 1, self._last + 1)
             room = {
-                shown: -sum(self.fits(after, place, shown).bit_count() for after in later)
+                shown: sum(map(int.bit_count, self.fitting(place, shown)[step + 1 :]))
                 for shown in set(self.shown)
             }
             tokens = range(len(self.shown))
-            self._orders[key] = tuple(sorted(tokens, key=lambda token: room[self.shown[token]]))
+            self._orders[key] = tuple(sorted(tokens, key=lambda token: -room[self.shown[token]]))
         return self._orders[key]
 
     @cached_property
@@ -151,21 +165,22 @@ class Demands:
             if isinstance(literal, Placed) and literal.feature.name in _OF_DESTINATION
         )
 
-    def _of_content(self, step: int, place: Place) -> Mapping[int, Tokens]:
-        """What preconditions of `step` demand of the content of `place`, and whose they are."""
-        key = (step, place)
-        if key not in self._demanded:
+    def _demanding(self, place: Place) -> Mapping[int, Sequence[Tokens]]:
+        """What preconditions demand of the content of `place`, and whose they are at each step."""
+        if place not in self._demanded:
             vocabulary = self._vocabulary
             offset = vocabulary.offsets[vocabulary.board.cells[place]]
             block = (1 << vocabulary.block_size) - 1
-            groups: dict[int, Tokens] = {}
-            actions = self._model.by_step.get(step, {})
-            for token, shown in enumerate(self.shown):
-                if shown in actions:
-                    demand = actions[shown] >> offset & block
-                    groups[demand] = groups.get(demand, 0) | 1 << token
-            self._demanded[key] = groups
-        return self._demanded[key]
+            demanded: dict[int, list[Tokens]] = {}
+            for step in range(self._last + 1):
+                actions = self._model.by_step.get(step, {})
+                for token, shown in enumerate(self.shown):
+                    if shown in actions:
+                        demand = actions[shown] >> offset & block
+                        whose = demanded.setdefault(demand, [0] * (self._last + 1))
+                        whose[step] |= 1 << token
+            self._demanded[place] = demanded
+        return self._demanded[place]
 
     def _likers(self, demand: int, shown: int) -> Tokens:
         """The tokens for whose move a cell with `shown` on it meets `demand`."""

@@ -100,8 +100,9 @@ class Judge:
             return AfterTheEnd(action)
         if action not in self._model.preconditions:
             return NotShown(action)
-        contents = self._contents(state)
-        broken = self._model.broken(action, contents, move.origin, move.destination)
+        watched = self._model.vocabulary.watched
+        lying = {cell: self._indices[state.tokens[cell]] for cell in watched if cell in state.tokens}
+        broken = self._model.broken(action, lying, move.origin, move.destination)
         if broken:
             return BrokenPrecondition(action, broken)
         if self._completion.prospect(after, made + 1) is Prospect.IMPOSSIBLE:
