@@ -67,6 +67,14 @@ format: setup ## format the code and repair what ruff can
 	$(BIN)/ruff check --fix
 	$(BIN)/ruff format
 
+.PHONY: schemas
+schemas: setup ## write docs/schemas from the models that read the files
+	$(BIN)/python scripts/write_schemas.py
+
+.PHONY: examples
+examples: setup ## write the files in examples/
+	$(BIN)/python scripts/write_examples.py
+
 # ---------------------------------------------------------------- measure and search
 
 .PHONY: bench

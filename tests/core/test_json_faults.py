@@ -8,11 +8,15 @@ from maestra.core.json_faults import Expecting, faults_of_validation
 
 
 class Leaf(BaseModel):
+    """A model within another."""
+
     model_config = ConfigDict(extra="forbid")
     size: Annotated[StrictInt, Field(ge=1), Expecting("a size from 1")] = 1
 
 
 class Tree(BaseModel):
+    """All ways to hold another model."""
+
     model_config = ConfigDict(extra="forbid")
     leaf: Leaf | None = None
     rows: dict[str, tuple[Leaf, ...]] = Field(default_factory=dict[str, tuple[Leaf, ...]])
