@@ -6,8 +6,8 @@ import pytest
 from hypothesis import given, settings
 
 from maestra.core.demonstration import Demonstration
-from maestra.learning.compiled_learner import CompiledLesson, learn_compiled
 from maestra.learning.compiled import CompiledReport, DeletionTask, solve_compiled
+from maestra.learning.compiled_learner import CompiledLesson, learn_compiled
 from maestra.learning.grounded import learn_grounded
 from maestra.learning.planning import Limits, Planner
 from maestra.planners import PLANNERS
