@@ -156,7 +156,7 @@ def features_of(deck: Deck) -> st.SearchStrategy[Has]:
     return st.sampled_from(simple) | shown
 
 
-def tests_of(deck: Deck, deep: int = 2) -> st.SearchStrategy[TokenTest]:
+def token_tests_of(deck: Deck, deep: int = 2) -> st.SearchStrategy[TokenTest]:
     """Tests of one token."""
     comparisons, extremes = st.sampled_from(Comparison), st.sampled_from(Extreme)
     compared = ordinals_of(deck).flatmap(
@@ -168,7 +168,7 @@ def tests_of(deck: Deck, deep: int = 2) -> st.SearchStrategy[TokenTest]:
     plain = features_of(deck) | features_of(deck) | compared | among | st.just(Anything())
     if not deep:
         return plain
-    inner = tests_of(deck, deep - 1)
+    inner = token_tests_of(deck, deep - 1)
     return (
         plain
         | st.builds(Not, inner)
@@ -220,13 +220,13 @@ def _each_pairs(deck: Deck) -> st.SearchStrategy[EachPair]:
 
 def _ats(deck: Deck, board: Board) -> st.SearchStrategy[At]:
     in_time = st.sampled_from([Position(k) for k in (-1, *range(1, board.columns + 1))])
-    return st.builds(At, _positions(board), tests_of(deck)) | st.builds(
-        At, in_time, tests_of(deck), st.just(Line.TIME)
+    return st.builds(At, _positions(board), token_tests_of(deck)) | st.builds(
+        At, in_time, token_tests_of(deck), st.just(Line.TIME)
     )
 
 
 def _counts(deck: Deck) -> st.SearchStrategy[Count]:
-    return st.builds(Count, tests_of(deck), _COMPARISONS, st.integers(0, 4))
+    return st.builds(Count, token_tests_of(deck), _COMPARISONS, st.integers(0, 4))
 
 
 def _equations(deck: Deck, board: Board) -> st.SearchStrategy[Equation]:
@@ -253,8 +253,8 @@ def _conditions(deck: Deck, board: Board) -> st.SearchStrategy[At | Count]:
 
 
 RULES: Final[dict[type[Form], Build]] = {
-    EveryToken: lambda deck, _: st.builds(EveryToken, tests_of(deck)),
-    AllOfThem: lambda deck, _: st.builds(AllOfThem, tests_of(deck)),
+    EveryToken: lambda deck, _: st.builds(EveryToken, token_tests_of(deck)),
+    AllOfThem: lambda deck, _: st.builds(AllOfThem, token_tests_of(deck)),
     Ordered: lambda deck, _: st.builds(
         Ordered, ordinals_of(deck), _DIRECTIONS, st.booleans(), _LINES
     ),
@@ -273,7 +273,7 @@ RULES: Final[dict[type[Form], Build]] = {
     ),
     Pattern: lambda deck, _: st.builds(
         Pattern,
-        st.lists(tests_of(deck), min_size=1, max_size=3).map(tuple),
+        st.lists(token_tests_of(deck), min_size=1, max_size=3).map(tuple),
         st.booleans(),
         _LINES,
     ),
@@ -287,7 +287,7 @@ RULES: Final[dict[type[Form], Build]] = {
     Blocks: lambda deck, _: st.builds(Blocks, attributes_of(deck), _LINES),
     Count: lambda deck, _: _counts(deck),
     CompareCounts: lambda deck, _: st.builds(
-        CompareCounts, tests_of(deck), _COMPARISONS, tests_of(deck)
+        CompareCounts, token_tests_of(deck), _COMPARISONS, token_tests_of(deck)
     ),
     Kinds: lambda deck, _: st.builds(Kinds, attributes_of(deck), _COMPARISONS, st.integers(0, 3)),
     Total: lambda deck, _: st.builds(Total, ordinals_of(deck), _COMPARISONS, _numbers()),
@@ -302,12 +302,12 @@ RULES: Final[dict[type[Form], Build]] = {
     ),
     StraightUp: lambda _, __: st.builds(StraightUp, st.booleans()),
     TakeExtreme: lambda deck, _: st.builds(
-        TakeExtreme, ordinals_of(deck), _EXTREMES, tests_of(deck)
+        TakeExtreme, ordinals_of(deck), _EXTREMES, token_tests_of(deck)
     ),
     FillOrder: lambda _, __: st.builds(FillOrder, st.sampled_from(Filling)),
-    Before: lambda deck, _: st.builds(Before, tests_of(deck), tests_of(deck), _LINES),
+    Before: lambda deck, _: st.builds(Before, token_tests_of(deck), token_tests_of(deck), _LINES),
     Follows: lambda deck, _: st.builds(
-        Follows, tests_of(deck), tests_of(deck), st.booleans(), _LINES
+        Follows, token_tests_of(deck), token_tests_of(deck), st.booleans(), _LINES
     ),
     ModelRow: lambda deck, _: st.builds(
         ModelRow, st.integers(1, 3), st.sampled_from(Reading), relations_of(deck)

@@ -54,6 +54,10 @@ class Form(ABC, Strict):
     def possible(self, play: Play) -> bool:
         """Whether some way to go on, ending here included, makes it right."""
 
+    def possible_with(self, play: Play, more: int) -> bool:  # noqa: ARG002 - some forms use it
+        """Whether `more` moves or more may make it hold; never wrongly no, perhaps wrongly yes."""
+        return self.possible(play)
+
     @abstractmethod
     def certain(self, play: Play) -> bool:
         """Whether every way to go on, ending here included, makes it right."""

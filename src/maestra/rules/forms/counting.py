@@ -50,8 +50,8 @@ class Counted(Form):
         """The amount of the row as it is."""
 
     @abstractmethod
-    def reach(self, play: Play) -> tuple[int, int]:
-        """The least and the most it can come to, ending here included."""
+    def reach(self, play: Play, more: int = 0) -> tuple[int, int]:
+        """The least and the most it can come to by `more` moves at least."""
 
     @abstractmethod
     def amounts(self, plays: Plays) -> NDArray[np.int64]:
@@ -70,6 +70,11 @@ class Counted(Form):
         """Whether an amount that can be reached compares so."""
         comparison, number = self.against()
         return _some(comparison, *self.reach(play), number)
+
+    def possible_with(self, play: Play, more: int) -> bool:
+        """As the base says."""
+        comparison, number = self.against()
+        return _some(comparison, *self.reach(play, more), number)
 
     def certain(self, play: Play) -> bool:
         """Whether every amount that can be reached compares so."""
@@ -99,11 +104,12 @@ class Count(Counted):
         """How many pass."""
         return play.count(passing(play.setting, self.test))
 
-    def reach(self, play: Play) -> tuple[int, int]:
-        """None more, or as many as there are and find room."""
+    def reach(self, play: Play, more: int = 0) -> tuple[int, int]:
+        """As few as the others allow, or as many as there are and find room."""
         left = (play.left & passing(play.setting, self.test)).bit_count()
+        others = play.left.bit_count() - left
         now = self.amount(play)
-        return now, now + min(left, play.room)
+        return now + max(0, more - others), now + min(left, play.room)
 
     def amounts(self, plays: Plays) -> NDArray[np.int64]:
         """How many pass."""
@@ -129,12 +135,15 @@ class CompareCounts(Counted):
         one, two = (passing(play.setting, test) for test in (self.first, self.second))
         return play.count(one) - play.count(two)
 
-    def reach(self, play: Play) -> tuple[int, int]:
+    def reach(self, play: Play, more: int = 0) -> tuple[int, int]:
         """Only tokens that pass one of the two change it."""
         one, two = (passing(play.setting, test) & play.left for test in (self.first, self.second))
         now = self.amount(play)
         down, up = (two & ~one).bit_count(), (one & ~two).bit_count()
-        return now - min(down, play.room), now + min(up, play.room)
+        neutral = play.left.bit_count() - down - up
+        least = max(0, more - neutral - down) - min(down, play.room)
+        most = min(up, play.room) - max(0, more - neutral - up)
+        return now + least, now + most
 
     def amounts(self, plays: Plays) -> NDArray[np.int64]:
         """How many more pass `first`."""
@@ -163,7 +172,7 @@ class Kinds(Counted):
         values = play.setting.values(self.attribute)
         return len({values[token] for token in play.tokens} - {None})
 
-    def reach(self, play: Play) -> tuple[int, int]:
+    def reach(self, play: Play, more: int = 0) -> tuple[int, int]:  # noqa: ARG002 - they may repeat
         """None more, or each new value that is left, once."""
         values = play.setting.values(self.attribute)
         seen = {values[token] for token in play.tokens} | {None}
@@ -201,6 +210,11 @@ class Total(Form):
         total = total_of(play, self.attribute)
         return total is not None and self._some(self.comparison, play, total)
 
+    def possible_with(self, play: Play, more: int) -> bool:
+        """As the base says."""
+        total = total_of(play, self.attribute)
+        return total is not None and self._some(self.comparison, play, total, more)
+
     def certain(self, play: Play) -> bool:
         """Whether every sum that can be reached compares so, and each token left has a rank."""
         total = total_of(play, self.attribute)
@@ -209,12 +223,14 @@ class Total(Form):
             return False
         return not self._some(self.comparison.opposite, play, total)
 
-    def _some(self, comparison: Comparison, play: Play, total: Rank) -> bool:
+    def _some(self, comparison: Comparison, play: Play, total: Rank, more: int = 0) -> bool:
         left = ranks_left(play, self.attribute)
         wanted = Fraction(self.number) - total
+        if len(left) < more:
+            return False
         if comparison is Comparison.EQUAL:
-            return can_add_up(left, play.room, wanted)
-        ends = least_gain(left, play.room), largest_gain(left, play.room)
+            return can_add_up(left, range(more, play.room + 1), wanted)
+        ends = least_gain(left, play.room, more), largest_gain(left, play.room, more)
         return any(comparison.holds(end, wanted) for end in ends)
 
     def mask(self, plays: Plays) -> Truth:

@@ -59,27 +59,33 @@ def whole_numbers(setting: Setting, attribute: str, scale: int, degree: int = 1)
     return np.array([*numbers, 0], np.int64 if small else np.object_)
 
 
-def least_gain(ranks: Iterable[Rank], room: int) -> Rank:
-    """The least that at most `room` of `ranks` add up to; 0 for none."""
-    return sum(sorted(rank for rank in ranks if rank < 0)[:room])
+def least_gain(ranks: Iterable[Rank], room: int, more: int = 0) -> Rank:
+    """The least that `more` to `room` of `ranks` add up to; 0 for none."""
+    rising = sorted(ranks)
+    return sum(rising[:more]) + sum(rank for rank in rising[more:room] if rank < 0)
 
 
-def largest_gain(ranks: Iterable[Rank], room: int) -> Rank:
-    """The most that at most `room` of `ranks` add up to; 0 for none."""
-    return -least_gain([-rank for rank in ranks], room)
+def largest_gain(ranks: Iterable[Rank], room: int, more: int = 0) -> Rank:
+    """The most that `more` to `room` of `ranks` add up to; 0 for none."""
+    return -least_gain([-rank for rank in ranks], room, more)
 
 
-def can_add_up(ranks: Sequence[Rank], room: int, wanted: Rank) -> bool:
-    """Whether at most `room` of `ranks` add up to `wanted`: ranks x room shifts of a bit set."""
-    if wanted == 0:
+def can_add_up(ranks: Sequence[Rank], counts: range, wanted: Rank) -> bool:
+    """Whether some of `ranks`, as many as `counts` allows, add up to `wanted`.
+
+    At most ranks x counts shifts of a bit set.
+    """
+    if wanted == 0 and 0 in counts:
         return True
-    if not least_gain(ranks, room) <= wanted <= largest_gain(ranks, room):
+    more, room = counts.start, min(counts.stop - 1, len(ranks))
+    ends = least_gain(ranks, room, more), largest_gain(ranks, room, more)
+    if not room or not ends[0] <= wanted <= ends[1]:
         return False
     scale = lcm(*(Fraction(number).denominator for number in (*ranks, wanted)))
     numbers, target = [int(rank * scale) for rank in ranks], int(wanted * scale)
     least = min(numbers)
     if room * (max(numbers) - least) > BIT_SET_LIMIT:
-        return _is_listed(numbers, room, target)
+        return _is_listed(numbers, range(more, room + 1), target)
     # reached[c]: the sums of c numbers, each number less `least`, so that no bit is negative.
     reached = [1] + [0] * room
     for number in numbers:
@@ -87,13 +93,14 @@ def can_add_up(ranks: Sequence[Rank], room: int, wanted: Rank) -> bool:
             reached[count] |= reached[count - 1] << (number - least)
     return any(
         (bit := target - count * least) >= 0 and reached[count] >> bit & 1
-        for count in range(1, room + 1)
+        for count in range(more, room + 1)
     )
 
 
-def _is_listed(numbers: list[int], room: int, target: int) -> bool:
+def _is_listed(numbers: list[int], counts: range, target: int) -> bool:
+    room = counts.stop - 1
     reached: list[set[int]] = [{0}, *(set[int]() for _ in range(room))]
     for number in numbers:
         for count in range(room, 0, -1):
             reached[count] |= {total + number for total in reached[count - 1]}
-    return any(target in sums for sums in reached)
+    return any(target in reached[count] for count in counts)
