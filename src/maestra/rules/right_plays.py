@@ -59,7 +59,7 @@ class TooManyPlaysError(InvalidError):
     """There are more right sequences than can be enumerated."""
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@dataclass(frozen=True, eq=False)
 class PlayGroup:
     """Right sequences of one length whose tokens may come from the same cells."""
 
@@ -68,6 +68,12 @@ class PlayGroup:
     """One row for each sequence: the moved tokens, as indices into the deck's tokens."""
     destinations: Indices
     """Where they go, as indices into the board's goal cells."""
+
+    @cached_property
+    def sequences(self) -> tuple[tuple[tuple[int, int], ...], ...]:
+        """The same as plain indices: for each sequence its pairs of token and goal cell."""
+        rows = np.stack([self.tokens, self.destinations], axis=2).tolist()
+        return tuple(tuple((token, cell) for token, cell in row) for row in rows)
 
 
 @dataclass(frozen=True)
@@ -89,6 +95,8 @@ class RightPlays:
     """The storage cells that the token of a step (from 1) may come from; None: any."""
     lengths: frozenset[int] = field(default_factory=frozenset[int])
     """After how many moves a play may end; by default when the goal row is full."""
+    known: tuple[Placements, ...] | None = None
+    """The right sequences if somebody has them: then nothing is asked of the predicates."""
     max_sequences: int = MAX_SEQUENCES
 
     def __post_init__(self) -> None:
@@ -104,7 +112,8 @@ class RightPlays:
     def groups(self) -> tuple[PlayGroup, ...]:
         """All right sequences that some start arrangement allows, by their arrangements."""
         rows: dict[tuple[frozenset[Cell] | None, ...], list[Placements]] = {}
-        for number, placements in enumerate(self._search(()), start=1):
+        sequences = self._search(()) if self.known is None else self.known
+        for number, placements in enumerate(sequences, start=1):
             if number > self.max_sequences:
                 found, expected = f"more than {self.max_sequences} sequences", "fewer right plays"
                 raise TooManyPlaysError([Fault("", found, expected)])
@@ -134,7 +143,7 @@ class RightPlays:
         first, second = divmod(rest, group.arrangements.of_unmoved)
         origins = group.arrangements.nth_origins(first)
         others = group.arrangements.nth_unmoved(origins, second)
-        moved = [int(token) for token in group.tokens[row]]
+        moved = [token for token, _ in group.sequences[row]]
         tokens = self.deck.tokens
         unmoved = [index for index in range(len(tokens)) if index not in moved]
         places = zip([*moved, *unmoved], [*origins, *others], strict=True)
@@ -152,9 +161,9 @@ class RightPlays:
 
     def placements(self, group: PlayGroup, row: int) -> Placements:
         """The placements of the group's sequence `row`."""
-        pairs = zip(group.tokens[row], group.destinations[row], strict=True)
         tokens, cells = self.deck.tokens, self.board.goal_cells
-        return tuple(Placement(tokens[int(token)].id, cells[int(cell)]) for token, cell in pairs)
+        pairs = group.sequences[row]
+        return tuple(Placement(tokens[token].id, cells[cell]) for token, cell in pairs)
 
     def _search(self, begun: Placements) -> Iterator[Placements]:
         if len(begun) in self.lengths and self.right(begun):
@@ -195,14 +204,13 @@ def plays_like(demonstrations: Sequence[Demonstration]) -> RightPlays:
     """
     first = demonstrations[0]
     board, deck = first.board, first.deck
-    shown = frozenset(
+    shown = dict.fromkeys(
         tuple(Placement(move.token, move.destination) for move in one.moves)
         for one in demonstrations
         if one.board == board and one.deck.tokens == deck.tokens and _fills_the_goal_row(one)
     )
-    beginnings = frozenset(one[:count] for one in shown for count in range(len(one) + 1))
     lengths = frozenset(len(one) for one in shown)
-    return RightPlays(board, deck, shown.__contains__, beginnings.__contains__, lengths=lengths)
+    return RightPlays(board, deck, shown.__contains__, lengths=lengths, known=tuple(shown))
 
 
 def _fills_the_goal_row(play: Demonstration) -> bool:
