@@ -77,7 +77,7 @@ class Completion:
         """
         self._model = model
         self._lengths = lengths
-        self._demands = Demands(model, deck, max(lengths))
+        self._demands = Demands(model, deck, max(lengths, default=0))
         self._tokens = tuple(token.id for token in deck.tokens)
         self._shown_by = dict(zip(self._tokens, self._demands.shown, strict=True))
 

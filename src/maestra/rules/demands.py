@@ -148,7 +148,10 @@ class Demands:
 
     @cached_property
     def one_way(self) -> bool:
-        """Whether every action takes a token from storage to the goal row."""
+        """Whether every action takes a token from storage to the goal row, and both exist."""
+        board, features = self._vocabulary.board, self._vocabulary.features
+        if not board.storage_cells or not set(FRAME) <= set(features):
+            return False
         frame = self._vocabulary.bits(Placed(feature, value=True) for feature in FRAME)
         return all(not frame & ~bits for bits in self._model.preconditions.values())
 

@@ -1,28 +1,54 @@
-"""Exercises as JSON files: what docs/schemas/exercise-1.schema.json says, and no more."""
+"""Exercises as JSON files: what docs/schemas/exercise-1.schema.json says, and no more.
+
+Pure: it decodes bytes that somebody else read.
+"""
+
+from __future__ import annotations
 
 import json
-from typing import Annotated, Any, Final, Literal, assert_never, cast
+from collections.abc import Callable
+from dataclasses import dataclass
+from functools import partial
+from itertools import pairwise
+from typing import Annotated, Final, Literal, TypeVar
 
 from pydantic import BaseModel, ConfigDict, Field, StrictInt, StrictStr, ValidationError
 
-from maestra.core.board import Board, Cell, Row
-from maestra.core.faults import Fault, InvalidError, refuse
+from maestra.core.board import Board, Row
+from maestra.core.demonstration import MAX_MOVES
+from maestra.core.faults import Fault, InvalidError, refuse, shorten
 from maestra.core.formats import BoardJson, DeckJson, encode_attributes, encode_deck
-from maestra.core.json_faults import faults_of_validation
+from maestra.core.json_faults import Expecting, faults_of_validation
 from maestra.core.json_lines import FormatError, decode_object
-from maestra.core.tokens import Attributes, Value
 from maestra.rules.exercise import Deletion, GroundedExercise, Provenance
-from maestra.rules.features import select_features
-from maestra.rules.literals import Contains, Placed, Related, Shows
-from maestra.rules.literals import Literal as Condition
+from maestra.rules.features import Feature, labelled_feature
+from maestra.rules.literal_format import (
+    LiteralDecoder,
+    LiteralJson,
+    ShownJson,
+    attributes_of,
+    encode_literal,
+)
 from maestra.rules.strips import Action, ActionModel
 from maestra.rules.vocabulary import Level, Vocabulary
 
 EXERCISE_FORMAT: Final = "maestra.exercise/1"
+MAX_EXERCISE_BYTES: Final = 64 * 2**20
+"""A 20 x 20 board with 100 tokens takes 3 MB; a longer file is a wrong one."""
+MAX_FEATURES: Final = 10_000
+"""As many as a hundred attributes can have."""
 
-_Shown = dict[StrictStr, Any]
-_Bits = Annotated[StrictStr, Field(pattern="^[0-9a-f]+$")]
-_Count = Annotated[StrictInt, Field(ge=1)]
+_Built = TypeVar("_Built")
+
+_Bits = Annotated[
+    StrictStr,
+    Field(pattern="^[1-9a-f][0-9a-f]*$"),
+    Expecting("a hexadecimal number in small letters, without zeros before it"),
+]
+_Count = Annotated[StrictInt, Field(ge=1), Expecting("a whole number from 1")]
+_Moves = Annotated[
+    StrictInt, Field(ge=0, le=MAX_MOVES), Expecting(f"a whole number from 0 to {MAX_MOVES}")
+]
 
 
 class _Strict(BaseModel):
@@ -39,44 +65,122 @@ class DeletionJson(_Strict):
         _Bits,
         Field(
             description="A hexadecimal bit set over the vocabulary's literals, the lowest bit "
-            "the first: the cell features in the order of `features`, then for each goal cell "
-            "(level C: each cell) from left to right the relations with their converses, the "
-            "features of one token, and what tokens show."
+            "the first: the features of the move's cells in the order of `features`, each with "
+            "its values in the board's order; then for each cell of the goal row from the left "
+            "(level C: for each cell, row by row) the relations, each before its converse, the "
+            "features of one token, and what the tokens show, each different thing once in the "
+            "order of their ids. Level A has relations only; `same` and `different` have no "
+            "converse.",
+            examples=["1f"],
         ),
     ]
+
+    @property
+    def bits(self) -> int:
+        """The bit set."""
+        return int(self.literals, 16)
 
 
 class ActionJson(_Strict):
     """One action, move-v-t(from, to), and its precondition."""
 
-    shown: Annotated[_Shown, Field(description="What the moved token shows: its attributes.")]
-    step: Annotated[_Count, Field(description="As which move of a play, counted from 1.")]
+    shown: Annotated[
+        ShownJson,
+        Field(
+            description="What the moved token shows: all attributes of some token of `tokens`.",
+            examples=[{"value": 19}],
+        ),
+    ]
+    step: Annotated[
+        _Count, Field(description="As which move of a play, counted from 1, up to the longest.")
+    ]
     seen: Annotated[_Count, Field(description="In how many demonstrations it was shown.")]
     precondition: Annotated[
-        tuple[dict[StrictStr, Any], ...],
+        tuple[LiteralJson, ...],
         Field(
-            description="The literals that must hold before it, besides that the token lies on "
-            "its origin and the destination is empty. Each is one of: `feature` and `value` "
-            "(of the move's cells), `cell` and `relation` and `converse` (some token on the cell "
-            "stands in the relation to the moved one, or the moved one to it), `cell` and "
-            "`feature` (some token on the cell has it), `cell` and `shown`.",
+            description="What must hold before it, besides that the token lies on its origin and "
+            "that the destination is empty.",
             examples=[[{"feature": "destination", "value": [1, 1]}]],
         ),
     ]
     deletions: Annotated[
         tuple[DeletionJson, ...],
-        Field(description="Which demonstration deleted the other literals of the vocabulary."),
+        Field(
+            description="Which demonstration deleted which of the other literals of the "
+            "vocabulary, in the order of the demonstrations; each literal once."
+        ),
     ]
+
+    def learned(self, about: _About) -> tuple[Action, int, Provenance]:
+        """The action, its precondition as a bit set, and where that comes from.
+
+        Raises:
+            InvalidError: what does not fit the exercise or contradicts itself; with every fault.
+        """
+        action = Action(attributes_of(self.shown), self.step)
+        faults: list[Fault] = []
+        if action.shown not in about.vocabulary.index_of_shown:
+            expected = "what a token of the exercise shows"
+            faults.append(Fault("shown", shorten(self.shown), expected))
+        if self.step > about.longest:
+            expected = f"at most {about.longest}, the moves of the longest play"
+            faults.append(Fault("step", str(self.step), expected))
+        left = self._precondition(about, faults)
+        faults += self._faults_of_deletions(about)
+        refuse(faults)
+        deletions = tuple(Deletion(one.demonstration, one.bits) for one in self.deletions)
+        total = union = left
+        for deletion in deletions:
+            total, union = total + deletion.literals, union | deletion.literals
+        # Sum and union are the same only of sets that share nothing.
+        if not total == union == about.vocabulary.everything:
+            expected = "each literal of the vocabulary there, or deleted once"
+            refuse([Fault("", "its precondition and deletions do not add up", expected)])
+        return action, left, Provenance(self.seen, deletions)
+
+    def _precondition(self, about: _About, faults: list[Fault]) -> int:
+        """The literals that are left; what is no literal of the exercise goes to `faults`."""
+        left = 0
+        for index, written in enumerate(self.precondition):
+            where = f"precondition[{index}]"
+            place = _attempt(partial(about.decoder.place_of, written), faults, where)
+            if place is not None and left >> place & 1:
+                faults.append(Fault(where, "a literal twice", "each once"))
+            elif place is not None:
+                left |= 1 << place
+        return left
+
+    def _faults_of_deletions(self, about: _About) -> list[Fault]:
+        faults: list[Fault] = []
+        if self.seen > about.demonstrations:
+            faults.append(Fault("seen", str(self.seen), f"at most {about.demonstrations}"))
+        if len(self.deletions) > self.seen:
+            found, expected = f"{len(self.deletions)} deletions", f"at most {self.seen}, `seen`"
+            faults.append(Fault("deletions", found, expected))
+        order = [one.demonstration for one in self.deletions]
+        for index, (before, now) in enumerate(pairwise([0, *order])):
+            if not before < now <= about.demonstrations:
+                expected = f"a later demonstration than before, at most {about.demonstrations}"
+                faults.append(Fault(f"deletions[{index}].demonstration", str(now), expected))
+        return faults
 
 
 class ExerciseJson(DeckJson):
-    """An exercise as the paper learns it."""
+    """An exercise as the paper learns it: an action for each token and step of a play."""
 
-    format: Literal["maestra.exercise/1"]
-    kind: Literal["grounded"]
-    board: BoardJson
+    format: Annotated[
+        Literal["maestra.exercise/1"],
+        Field(description="The name and version of this format."),
+    ]
+    kind: Annotated[
+        Literal["grounded"],
+        Expecting('"grounded"'),
+        Field(description="How the exercise is described: here by single actions."),
+    ]
+    board: Annotated[BoardJson, Field(description="The board it is played on.")]
     level: Annotated[
         Literal["A", "B", "C"],
+        Expecting("A, B or C"),
         Field(
             description="What preconditions may speak of: A the move's cells and relations to "
             "tokens in the goal row, B also what those tokens are, C the same over all cells."
@@ -84,11 +188,20 @@ class ExerciseJson(DeckJson):
     ]
     features: Annotated[
         tuple[StrictStr, ...],
-        Field(description="The features that count, each with the attribute it is taken over."),
+        Field(
+            max_length=MAX_FEATURES,
+            description="The features that count, each with the attribute it is taken over.",
+            examples=[["from-storage", "to-goal-row", "destination", "less-than:value"]],
+        ),
     ]
     lengths: Annotated[
-        tuple[Annotated[StrictInt, Field(ge=0)], ...],
-        Field(min_length=1, description="After how many moves a play may end."),
+        tuple[_Moves, ...],
+        Field(
+            min_length=1,
+            max_length=MAX_MOVES,
+            description="After how many moves a play may end.",
+            examples=[[5]],
+        ),
     ]
     demonstrations: Annotated[_Count, Field(description="How many were shown.")]
     actions: Annotated[
@@ -100,53 +213,59 @@ class ExerciseJson(DeckJson):
         """The exercise these fields describe.
 
         Raises:
-            InvalidError: they contradict each other; with every fault.
+            InvalidError: they contradict each other; with every fault of the board, the deck and
+                the features, or else every fault of the actions.
         """
-        board = Board(self.board.rows, self.board.columns, Row(self.board.goal_row))
-        deck = self.deck()
-        vocabulary = Vocabulary(
-            board, deck, Level(self.level), select_features(deck, self.features)
-        )
-        known = {_key(encode_literal(literal)): literal for literal in vocabulary.literals}
+        vocabulary = self._vocabulary()
+        longest = max(self.lengths)
+        about = _About(vocabulary, LiteralDecoder(vocabulary), longest, self.demonstrations)
         faults: list[Fault] = []
         preconditions: dict[Action, int] = {}
         provenance: dict[Action, Provenance] = {}
         for index, written in enumerate(self.actions):
             where = f"actions[{index}]"
-            action = Action(_attributes(written.shown), written.step)
-            if action.shown not in vocabulary.index_of_shown:
-                expected = "what a token of the deck shows"
-                faults.append(Fault(f"{where}.shown", _key(written.shown), expected))
+            learned = _attempt(partial(written.learned, about), faults, where)
+            if learned is None:
+                continue
+            action, bits, whence = learned
             if action in preconditions:
                 faults.append(Fault(where, f"{action.name} twice", "each action once"))
-            unknown = [
-                Fault(f"{where}.precondition[{place}]", _key(literal), "a literal of its features")
-                for place, literal in enumerate(written.precondition)
-                if _key(literal) not in known
-            ]
-            if unknown:
-                faults.extend(unknown)
-                continue
-            literals = [known[_key(literal)] for literal in written.precondition]
-            preconditions[action] = vocabulary.bits(literals)
-            provenance[action] = Provenance(
-                written.seen,
-                tuple(
-                    Deletion(one.demonstration, int(one.literals, 16)) for one in written.deletions
-                ),
-            )
+            preconditions[action], provenance[action] = bits, whence
         refuse(faults)
         model = ActionModel(vocabulary, preconditions)
         return GroundedExercise(model, provenance, frozenset(self.lengths), self.demonstrations)
 
+    def _vocabulary(self) -> Vocabulary:
+        faults: list[Fault] = []
+        board = _attempt(self._board, faults, "board")
+        deck = _attempt(self.deck, faults)
+        if board is None or deck is None:
+            raise InvalidError(faults)
+        features: list[Feature] = []
+        for index, label in enumerate(self.features):
+            where = f"features[{index}]"
+            feature = _attempt(partial(labelled_feature, deck, label), faults, where)
+            if feature in features:
+                faults.append(Fault(where, f"{shorten(label)} twice", "each feature once"))
+            elif feature is not None:
+                features.append(feature)
+        refuse(faults)
+        return Vocabulary(board, deck, Level(self.level), tuple(features))
 
-def decode_exercise(text: bytes, file: str = "-") -> GroundedExercise:
+    def _board(self) -> Board:
+        return Board(self.board.rows, self.board.columns, Row(self.board.goal_row))
+
+
+def decode_exercise(content: bytes, file: str = "-") -> GroundedExercise:
     """The exercise in a file's bytes.
 
     Raises:
-        FormatError: it is none; with every fault.
+        FormatError: it is none, or larger than `MAX_EXERCISE_BYTES`; with every fault.
     """
-    fields = decode_object(text, file, 1, EXERCISE_FORMAT)
+    if len(content) > MAX_EXERCISE_BYTES:
+        found = f"a file larger than {MAX_EXERCISE_BYTES // 2**20} MB"
+        raise FormatError(file, 1, (Fault("", found, "an exercise"),))
+    fields = decode_object(content, file, 1, EXERCISE_FORMAT)
     try:
         return ExerciseJson.model_validate(fields).exercise()
     except ValidationError as error:
@@ -176,20 +295,15 @@ def encode_exercise(exercise: GroundedExercise) -> str:
     return "{" + ",\n ".join(lines) + "}\n"
 
 
-def encode_literal(literal: Condition) -> dict[str, object]:
-    """A literal as exercises write it."""
-    match literal:
-        case Placed(feature, value):
-            written = _pair(value) if isinstance(value, Cell) else value
-            return {"feature": feature.label, "value": written}
-        case Related(cell, feature, converse):
-            return {"cell": _pair(cell), "relation": feature.label, "converse": converse}
-        case Shows(cell, feature):
-            return {"cell": _pair(cell), "feature": feature.label}
-        case Contains(cell, shown):
-            return {"cell": _pair(cell), "shown": encode_attributes(shown)}
-        case _:
-            assert_never(literal)
+@dataclass(frozen=True, slots=True)
+class _About:
+    """What an action of an exercise must fit."""
+
+    vocabulary: Vocabulary
+    decoder: LiteralDecoder
+    longest: int
+    """Moves of the longest play."""
+    demonstrations: int
 
 
 def _encode_action(exercise: GroundedExercise, action: Action) -> dict[str, object]:
@@ -206,17 +320,13 @@ def _encode_action(exercise: GroundedExercise, action: Action) -> dict[str, obje
     }
 
 
-def _attributes(shown: dict[str, object]) -> Attributes:
-    return tuple(sorted((name, cast("Value", value)) for name, value in shown.items()))
-
-
-def _pair(cell: Cell) -> list[int]:
-    return [cell.row, cell.column]
-
-
-def _key(written: object) -> str:
-    """The same text for the same JSON, however it was written."""
-    return json.dumps(written, sort_keys=True, ensure_ascii=False, default=float)
+def _attempt(build: Callable[[], _Built], faults: list[Fault], where: str = "") -> _Built | None:
+    """What `build` makes; None when it refuses, its faults then added to `faults`."""
+    try:
+        return build()
+    except InvalidError as error:
+        faults += [fault.under(where) if where else fault for fault in error.faults]
+        return None
 
 
 def _dump(value: object) -> str:

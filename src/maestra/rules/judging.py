@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
-from functools import cached_property
 from typing import TYPE_CHECKING, TypeAlias
 
 from maestra.core.faults import Fault, InvalidError
@@ -14,7 +13,6 @@ from maestra.rules.strips import Action
 if TYPE_CHECKING:
     from collections.abc import Iterator, Sequence
 
-    from maestra.core.board import Cell
     from maestra.core.state import State
     from maestra.core.tokens import Deck, TokenId
     from maestra.rules.exercise import GroundedExercise
@@ -58,28 +56,39 @@ class AfterTheEnd:
     action: Action
 
 
+@dataclass(frozen=True, slots=True)
+class PutBack:
+    """No move of the play: a refused token is moved back to where it was taken from."""
+
+    action: Action
+    """The one that was refused."""
+
+
 Refused: TypeAlias = NotShown | BrokenPrecondition | DeadEnd | AfterTheEnd
 Verdict: TypeAlias = Allowed | Refused
+"""What `Judge.verdict` says of a move."""
 
 
 @dataclass(frozen=True, slots=True)
 class JudgedMove:
-    """A move of a play, what was on the board before it, and what is to be said of it."""
+    """A move of a play, and what is to be said of it."""
 
     before: State
+    """What was on the board before it, all refused tokens put back."""
     move: Move
-    verdict: Verdict
+    """With the origin where the token lies in `before`; but of `PutBack` as it was written."""
+    verdict: Verdict | PutBack
 
 
 class Judge:
-    """Judges plays of one exercise with one deck; what it works out once serves every move.
-
-    Raises:
-        InvalidError: a token of the deck shows what no token of the exercise's deck does.
-    """
+    """Judges plays of one exercise with one deck; what it works out once serves every move."""
 
     def __init__(self, exercise: GroundedExercise, deck: Deck) -> None:
-        """Prepare for plays of `exercise` with the tokens of `deck`."""
+        """Prepare for plays of `exercise` with just the tokens of `deck`.
+
+        Raises:
+            InvalidError: a token of the deck shows what no token of the exercise's deck does.
+        """
         self.exercise = exercise
         self.deck = deck
         self._model = exercise.model
@@ -89,6 +98,8 @@ class Judge:
     def verdict(self, state: State, made: int, move: Move) -> Verdict:
         """Whether `move` is right in `state`, after `made` moves; if not, why.
 
+        A move after which the search for a completion was given up is allowed.
+
         Raises:
             IllegalMoveError: no board could make this move.
             InvalidError: another board than the exercise's.
@@ -96,13 +107,14 @@ class Judge:
         self._check_board(state)
         after = state.after(move)
         action = Action(self.deck.by_id[move.token].attributes, made + 1)
-        if made + 1 > self._last:
+        if self.exercise.lengths and made >= max(self.exercise.lengths):
             return AfterTheEnd(action)
         if action not in self._model.preconditions:
             return NotShown(action)
-        watched = self._model.vocabulary.watched
-        lying = {cell: self._indices[state.tokens[cell]] for cell in watched if cell in state.tokens}
-        broken = self._model.broken(action, lying, move.origin, move.destination)
+        tokens = state.tokens
+        watched = (cell for cell in self._model.vocabulary.watched if cell in tokens)
+        contents = {cell: self._indices[tokens[cell]] for cell in watched}
+        broken = self._model.broken(action, contents, move.origin, move.destination)
         if broken:
             return BrokenPrecondition(action, broken)
         if self._completion.prospect(after, made + 1) is Prospect.IMPOSSIBLE:
@@ -116,7 +128,7 @@ class Judge:
             InvalidError: another board than the exercise's.
         """
         self._check_board(state)
-        contents = self._contents(state)
+        contents = {cell: self._indices[token] for token, cell in state.cells.items()}
         for origin, destination in self._model.applicable(made + 1, contents):
             move = Move(state.tokens[origin], origin, destination)
             if self._completion.prospect(state.after(move), made + 1) is not Prospect.IMPOSSIBLE:
@@ -130,19 +142,25 @@ class Judge:
         """Each of the `moves` played from `start`, with its verdict.
 
         A refused move is put back, and the next one is judged without it. A play may have been
-        written down either way, with the token on its old cell again or still where it was
-        refused; both are read as the board stands after the putting back.
+        written down in three ways, with the token on its old cell again, still where it was
+        refused, or moved back by a move of its own; all are read as the board stands after the
+        putting back.
 
         Raises:
             IllegalMoveError: no board could make a move; its place is in the faults.
             InvalidError: another board than the exercise's.
         """
         state, made = start, 0
-        refused: dict[TokenId, Cell] = {}
+        refused: dict[TokenId, JudgedMove] = {}
         judged: list[JudgedMove] = []
         for index, written in enumerate(moves):
-            put_back = refused.get(written.token) == written.origin
-            actual = replace(written, origin=state.cells[written.token]) if put_back else written
+            wrong = refused.get(written.token)
+            away = wrong is not None and wrong.move.destination == written.origin
+            if wrong is not None and away and written.destination == wrong.move.origin:
+                judged.append(JudgedMove(state, written, PutBack(wrong.verdict.action)))
+                del refused[written.token]
+                continue
+            actual = replace(written, origin=state.cells[written.token]) if away else written
             try:
                 verdict = self.verdict(state, made, actual)
             except IllegalMoveError as error:
@@ -153,15 +171,8 @@ class Judge:
                 state, made = state.after(actual), made + 1
                 refused.pop(actual.token, None)
             else:
-                refused[actual.token] = actual.destination
+                refused[actual.token] = judged[-1]
         return tuple(judged)
-
-    def _contents(self, state: State) -> dict[Cell, int]:
-        return {cell: self._indices[token] for token, cell in state.cells.items()}
-
-    @cached_property
-    def _last(self) -> int:
-        return max(self.exercise.lengths)
 
     def _check_board(self, state: State) -> None:
         board = self.exercise.model.vocabulary.board
