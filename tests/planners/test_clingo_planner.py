@@ -92,7 +92,6 @@ def test_a_problem_that_will_not_fit_is_not_prepared(monkeypatch: pytest.MonkeyP
 
 
 MEASURE = """
-import resource
 from maestra.planners import clingo_planner
 from maestra.learning.planning import Fluent, Limits, Operator, OperatorName, PlanningProblem
 NOTHING = frozenset()
@@ -107,7 +106,8 @@ def note(real=clingo_planner.resident_bytes):
 clingo_planner.resident_bytes = note
 clingo_planner.ClingoPlanner().solve(problem, Limits(60.0, 2_000))
 stated = len(steps) // clingo_planner.WATCH_OPERATORS + 1
-most = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss * 1024
+status = dict(line.split(":") for line in open("/proc/self/status"))
+most = int(status["VmHWM"].split()[0]) * 1024  # getrusage would count our parent's before exec
 print(readings[stated] - readings[0], most - readings[0])
 """
 

@@ -11,7 +11,7 @@ from typing import Any
 
 import pytest
 
-from maestra.learning.planning import Limits
+from maestra.learning.planning import Limits, NoEngine
 from maestra.planners.engine_process import (
     Ended,
     NotStarted,
@@ -20,6 +20,7 @@ from maestra.planners.engine_process import (
     engine_folder,
     last_line,
     run,
+    without_answer,
 )
 from tests.planners.conftest import make_program
 
@@ -251,6 +252,7 @@ def test_without_a_shell_nothing_is_started(monkeypatch: pytest.MonkeyPatch) -> 
     with engine_folder() as folder:
         ran = run(["anything"], folder, AMPLE)
     assert isinstance(ran, NotStarted)
+    assert without_answer(ran, "engine") == NoEngine("engine", ran.why)
     assert "/no/such/shell" in ran.why
 
 

@@ -58,8 +58,8 @@ _WATCH_S: Final = 0.01
 WATCH_OPERATORS: Final = 500
 """How often we look at them while stating the rules: every ten or twenty milliseconds."""
 PREPARED_TO_STATED: Final = 3
-"""Memory once clingo has prepared the rules against memory once they are stated; measured 2.7
-with 3,000,000 rules."""
+"""Memory once clingo has prepared the rules against memory once they are stated; measured 1.6
+with 100,000 rules, 2.7 with 3,000,000."""
 _QUIET: Final = ("--warn=none",)
 _STATM: Final = Path("/proc/self/statm")
 _PAGE: Final = resource.getpagesize()

@@ -171,11 +171,8 @@ class _Engine:
         with self._lock:  # waits for a start that is under way
             self._wanted = False
         for process in self._started:
-            with contextlib.suppress(ProcessLookupError):
+            with process, contextlib.suppress(ProcessLookupError):
                 os.killpg(process.pid, signal.SIGKILL)
-            process.wait()
-            if process.stdout is not None:
-                process.stdout.close()
         if self._starter is not None and self._starter.is_alive():
             self._starter.join()
 
