@@ -1,0 +1,120 @@
+"""Spanish: what the commands and the session in the terminal say."""
+
+from collections.abc import Mapping
+from types import MappingProxyType
+from typing import Final
+
+SENTENCES: Final[Mapping[str, str]] = MappingProxyType(
+    {
+        "learned": "Demostraciones vistas: {demonstrations}. Acciones aprendidas: {actions}.",
+        "written": "Guardado en {file}.",
+        "still-narrow": "Aún no está claro:",
+        "show-next": "Para aclarar lo más posible, muestre ahora esto:",
+        "planned": "{engine}: {problems} problemas en {seconds} s, "
+        "{superfluous} supresiones superfluas descartadas.",
+        "before": "antes",
+        "after": "después",
+        "of-cells": "Sobre las dos casillas de un movimiento:",
+        "of-tokens": "Sobre una ficha:",
+        "of-pairs": "Sobre dos fichas:",
+        "relation": "la primera es {name} de la segunda, como lo declaran las demostraciones",
+        "welcome": "Maestra aprende un ejercicio de lo que usted muestra, y luego lo juega con "
+        "usted.",
+        "which-exercise": "¿Qué ejercicio hacemos?",
+        "odd-ascending": "Números impares, de menor a mayor",
+        "ascending": "Números, de menor a mayor",
+        "descending": "Números, de mayor a menor",
+        "first-row": "La primera fila de reserva, en línea recta hacia arriba",
+        "word": "La palabra CURIE",
+        "alphabetical": "Letras en el orden del alfabeto",
+        "own-numbers": "Su propio ejercicio, con números",
+        "own-letters": "Su propio ejercicio, con letras",
+        "please-choose": "Escriba un número del 1 al {last}, por favor.",
+        "teach": "Muéstreme cómo se hace. {title}.",
+        "how-to-move": "Escriba una ficha y una columna, por ejemplo: {token} 1",
+        "how-to-show": "O deje que yo muestre una jugada correcta: {show}",
+        "nth-demonstration": "Demostración {number}",
+        "i-move": "{token} va a la columna {column}.",
+        "understood": "Lo que entiendo hasta ahora:",
+        "all-clear": "Ahora lo tengo todo claro.",
+        "new": "nuevo",
+        "nothing-shown": "Muéstreme antes al menos una jugada, por favor.",
+        "nothing-moved": "Mueva antes una ficha, por favor.",
+        "nothing-to-undo": "No hay nada que deshacer.",
+        "cannot-show": "Este ejercicio solo lo conoce usted. Muéstremelo, por favor.",
+        "next-step": "Muestre otra jugada, o pruébelo: {play}",
+        "your-turn": "Le toca a usted. Diré de cada movimiento si es correcto.",
+        "right": "Sí.",
+        "put-back": "Devolvamos {token} a su sitio y probemos con otra ficha.",
+        "complete": "Muy bien, el ejercicio está completo.",
+        "not-yet": "Todavía queda algo por mover.",
+        "hint": "Podría mover {token} a la columna {column}.",
+        "unknown-command": "Eso no lo conozco. Escriba {help} para ver qué puede hacer.",
+        "unknown-token": "No hay ninguna ficha {token}.",
+        "no-such-column": "Las columnas van de la 1 a la {last}.",
+        "taken": "Ya hay una ficha en la columna {column}.",
+        "already-there": "{token} ya está en la fila de destino.",
+        "row-is-full": "La fila de destino está llena.",
+        "help-teaching": "{token} 1  mueve {token} a la columna 1 de la fila de destino\n"
+        "{token}    la mueve a la primera columna vacía\n"
+        "{undo}  deshace el último movimiento\n"
+        "{done}  termina esta demostración\n"
+        "{show}  yo muestro una jugada correcta; con un número, tantas\n"
+        "{play}  probar el ejercicio\n"
+        "{menu}  elegir otro ejercicio\n"
+        "{quit}  terminar la sesión",
+        "help-playing": "{token} 1  mueve {token} a la columna 1 de la fila de destino\n"
+        "{token}    la mueve a la primera columna vacía\n"
+        "{hint}  digo qué se podría mover\n"
+        "{teach}  enseñarme más\n"
+        "{play}  empezar de nuevo\n"
+        "{menu}  elegir otro ejercicio\n"
+        "{quit}  terminar la sesión",
+        "help-choosing": "Escriba el número de un ejercicio, o {quit} para terminar la sesión.",
+        "goodbye": "Hasta pronto.",
+        "goal": "destino",
+        "type-undo": "deshacer",
+        "type-done": "listo",
+        "type-show": "muestra",
+        "type-play": "jugar",
+        "type-teach": "enseñar",
+        "type-menu": "menú",
+        "type-hint": "pista",
+        "type-help": "ayuda",
+        "type-quit": "salir",
+    }
+)
+
+FEATURES: Final[Mapping[str, str]] = MappingProxyType(
+    {
+        "cells": "solo origen y destino, nada de las fichas",
+        "origin": "la casilla de la que viene la ficha",
+        "destination": "la casilla a la que va",
+        "origin-row": "la fila de la que viene",
+        "origin-column": "la columna de la que viene",
+        "destination-column": "la columna a la que va",
+        "same-column": "no cambia de columna",
+        "from-storage": "viene de una fila de reserva (siempre cuenta)",
+        "to-goal-row": "va a la fila de destino (siempre cuenta)",
+        "odd": "es impar",
+        "even": "es par",
+        "prime": "es un número primo",
+        "vowel": "es una vocal",
+        "consonant": "es una consonante",
+        "multiple-of-K": "es múltiplo de K, por ejemplo multiple-of-5",
+        "digits-K": "tiene K cifras, por ejemplo digits-2",
+        "above-K": "es mayor que K, por ejemplo above-30",
+        "below-K": "es menor que K, por ejemplo below-30",
+        "is-K": "es justamente K, por ejemplo is-red",
+        "less-than": "la primera es menor que la segunda",
+        "greater-than": "lo mismo que less-than, visto desde la otra",
+        "before": "la primera va antes que la segunda en el alfabeto o en el orden declarado",
+        "after": "lo mismo que before, visto desde la otra",
+        "successor": "la segunda es la que sigue inmediatamente a la primera",
+        "predecessor": "lo mismo que successor, visto desde la otra",
+        "twice": "la segunda es el doble de la primera",
+        "half": "lo mismo que twice, visto desde la otra",
+        "same": "las dos muestran lo mismo",
+        "different": "muestran cosas diferentes",
+    }
+)

@@ -1,0 +1,57 @@
+"""The languages there are, and the words of each with a caregiver's own added."""
+
+from __future__ import annotations
+
+import importlib
+from dataclasses import dataclass
+from enum import Enum
+from functools import cache
+from typing import Protocol, cast
+
+from maestra.core.board import Board
+from maestra.core.tokens import Deck
+from maestra.language.lexicon import NO_LEXICON, Lexicon
+from maestra.language.speaker import Speaker
+from maestra.language.tongue import Grammar, Words
+
+
+class Language(Enum):
+    """A language, by its code."""
+
+    EN = "en"
+    ES = "es"
+    CA = "ca"
+
+
+class _Package(Protocol):
+    """What each language's package has."""
+
+    WORDS: Words
+    GRAMMAR: Grammar
+
+
+@dataclass(frozen=True, slots=True)
+class _Loaded:
+    words: Words
+    grammar: Grammar
+
+
+@cache
+def words_of(language: Language) -> Words:
+    """The tables of a language."""
+    return _load(language).words
+
+
+@cache
+def _load(language: Language) -> _Loaded:
+    package = cast("_Package", importlib.import_module(f"maestra.language.{language.value}"))
+    return _Loaded(package.WORDS, package.GRAMMAR)
+
+
+def speaker_for(
+    language: Language, board: Board, deck: Deck, lexicon: Lexicon = NO_LEXICON
+) -> Speaker:
+    """Says things about a board and deck in a language, with a caregiver's words first."""
+    loaded = _load(language)
+    words = lexicon.added_to(loaded.words, language.value)
+    return Speaker(loaded.grammar, words, board, deck)

@@ -1,0 +1,106 @@
+"""What other parts ask for: rules, gaps, actions and verdicts, in sentences of one language."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from maestra.core.tokens import Deck
+from maestra.language.languages import Language, speaker_for
+from maestra.language.lexicon import NO_LEXICON, Lexicon
+from maestra.language.of_literals import Conditions, needed
+from maestra.language.of_summary import check_of, gaps_of, rules_of
+from maestra.language.of_tokens import Tokens
+from maestra.language.of_verdicts import MAX_WORDS, Reasons
+from maestra.language.keys import Key
+from maestra.language.phrases import Named, Nth, say
+from maestra.rules.judging import Allowed, JudgedMove, PutBack
+from maestra.rules.strips import Action, ActionModel
+from maestra.rules.summary import Summary
+
+
+@dataclass(frozen=True, slots=True)
+class Sentence:
+    """A sentence, and the stable id of the rule, step or gap it says."""
+
+    id: str
+    text: str
+
+
+@dataclass(frozen=True, slots=True)
+class ActionExplanation:
+    """One action as in the paper's Fig. 4 and 6b."""
+
+    name: str
+    """``move-v23-t2``."""
+    precondition: tuple[str, ...]
+    """Its literals as formulas, to be joined by ``∧``."""
+    effects: tuple[str, ...]
+    sentence: str
+
+
+def rule_sentences(
+    summary: Summary, language: Language, lexicon: Lexicon = NO_LEXICON
+) -> tuple[Sentence, ...]:
+    """What the exercise asks for, as a caregiver would say it."""
+    speaker = speaker_for(language, summary.board, summary.deck, lexicon)
+    return tuple(Sentence(one.id, speaker.sentence(one.phrase)) for one in rules_of(summary))
+
+
+def gap_sentences(
+    summary: Summary, language: Language, lexicon: Lexicon = NO_LEXICON
+) -> tuple[Sentence, ...]:
+    """Where the rules say more than has been learned; none if they say the same."""
+    speaker = speaker_for(language, summary.board, summary.deck, lexicon)
+    return tuple(Sentence(one.id, speaker.sentence(one.phrase)) for one in gaps_of(summary))
+
+
+def check_sentence(summary: Summary, language: Language, lexicon: Lexicon = NO_LEXICON) -> str:
+    """That rules and preconditions say the same, or could not be compared; else empty."""
+    speaker = speaker_for(language, summary.board, summary.deck, lexicon)
+    said = check_of(summary)
+    return "" if said is None else speaker.sentence(said)
+
+
+def explain_action(
+    model: ActionModel, action: Action, language: Language, lexicon: Lexicon = NO_LEXICON
+) -> ActionExplanation:
+    """One action's precondition and effects, as formulas and as a sentence.
+
+    Raises:
+        KeyError: the model does not have the action.
+    """
+    vocabulary = model.vocabulary
+    speaker = speaker_for(language, vocabulary.board, vocabulary.deck, lexicon)
+    literals = needed(model.precondition(action))
+    token, nth = Named(action.shown), Nth(action.step)
+    if literals:
+        conditions = Conditions(Tokens(vocabulary.board, vocabulary.deck), action.shown)
+        said = say(Key.MAY_GO_IF, token=token, nth=nth, conditions=conditions.listed(literals))
+    else:
+        said = say(Key.MAY_GO, token=token, nth=nth)
+    formulas, effects = model.formulas(action), model.effects(action)
+    return ActionExplanation(action.name, formulas, effects, speaker.sentence(said))
+
+
+def reason(
+    judged: JudgedMove,
+    summary: Summary,
+    deck: Deck,
+    language: Language,
+    lexicon: Lexicon = NO_LEXICON,
+) -> str:
+    """Why a move was refused, in at most twelve words; empty if it was not.
+
+    Args:
+        judged: the move and its verdict.
+        summary: of the exercise it was judged by.
+        deck: the tokens it was played with.
+        language: to say it in.
+        lexicon: a caregiver's own words.
+    """
+    verdict = judged.verdict
+    if isinstance(verdict, Allowed | PutBack):
+        return ""
+    speaker = speaker_for(language, summary.board, deck, lexicon)
+    said = (speaker.sentence(why) for why in Reasons(judged, verdict, summary, deck).all())
+    return next(sentence for sentence in said if len(sentence.split()) <= MAX_WORDS)

@@ -1,0 +1,294 @@
+"""From the intermediate explanation to words: each phrase of the tree, in one language."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+from functools import cached_property
+from types import MappingProxyType
+from typing import Final, assert_never
+
+from maestra.core.board import Board
+from maestra.core.tokens import Attributes, Deck, Value
+from maestra.language.keys import Predicate
+from maestra.language.phrases import (
+    Adjective,
+    AttributeNamed,
+    Count,
+    Degree,
+    Does,
+    Foreign,
+    InRow,
+    Kind,
+    Listing,
+    Named,
+    Nth,
+    Numeral,
+    Phrase,
+    Place,
+    Say,
+    Several,
+    Things,
+    ValueNamed,
+)
+from maestra.language.templates import Spoken, fill
+from maestra.language.tongue import AttributeWords, Grammar, Naming, VerbForms, Words, inflect
+
+_UNKNOWN: Final = AttributeWords("")
+_WITHOUT_ADJECTIVE: Final = MappingProxyType(
+    {
+        Predicate.MORE: Predicate.HAS_MORE,
+        Predicate.LESS: Predicate.HAS_LESS,
+        Predicate.MOST: Predicate.HIGHEST,
+        Predicate.LEAST: Predicate.LOWEST,
+        Predicate.MOST_LEFT: Predicate.HIGHEST_LEFT,
+        Predicate.LEAST_LEFT: Predicate.LOWEST_LEFT,
+        Predicate.AMONG_MOST: Predicate.AMONG_HIGHEST,
+        Predicate.AMONG_LEAST: Predicate.AMONG_LOWEST,
+    }
+)
+"""What is said instead where the attribute has no comparative or superlative."""
+_BESIDE_ATTRIBUTE: Final = MappingProxyType(
+    {
+        Predicate.IS: Predicate.SHOWS,
+        Predicate.ABOVE: Predicate.HAS_ABOVE,
+        Predicate.BELOW: Predicate.HAS_BELOW,
+    }
+)
+"""What is said instead where a value is not understood without its attribute."""
+_HEADS: Final = (Naming.PLAIN, Naming.WORD, Naming.MEASURE, Naming.QUALITY)
+"""Which way to name a token is preferred."""
+
+
+@dataclass(frozen=True)
+class Speaker:
+    """Says things about one board and deck in one language."""
+
+    grammar: Grammar
+    words: Words
+    board: Board
+    deck: Deck
+
+    def sentence(self, phrase: Phrase) -> str:
+        """The phrase in words, beginning with a capital."""
+        text = self.spoken(phrase).text
+        return text[:1].upper() + text[1:]
+
+    def spoken(self, phrase: Phrase) -> Spoken:  # noqa: C901, PLR0911, PLR0912 - one case for each kind of phrase
+        """The phrase in words, with what others agree with."""
+        match phrase:
+            case Say(key, parts):
+                return Spoken(self._fill(self.words.sentences[key], self._parts(parts)))
+            case Does():
+                return self._does(phrase)
+            case Several():
+                return self._several(phrase)
+            case Listing():
+                return self._listing(phrase)
+            case Named(shown):
+                return self._named(shown)
+            case ValueNamed(attribute, value):
+                return self._value(attribute, value)
+            case AttributeNamed(attribute):
+                words = self._attribute(attribute)
+                forms = {"plural": words.plural or words.noun}
+                return Spoken(words.noun, forms, words.gender)
+            case Things(attribute):
+                return self._things(attribute)
+            case Kind(predicate, parts):
+                return self._kind(predicate, parts)
+            case Adjective():
+                return self._adjective(phrase, self.grammar.token)
+            case Place(cell):
+                return self.grammar.place(cell.row, cell.column)
+            case InRow(row):
+                return self.grammar.row(row, self.board.rows)
+            case Numeral(number):
+                return Spoken(self.grammar.numeral(number), many=number != 1)
+            case Count(number):
+                return self.grammar.count(number)
+            case Nth(number):
+                return self.grammar.nth(number)
+            case Foreign(text):
+                return Spoken(text)
+            case _:
+                assert_never(phrase)
+
+    def _fill(self, template: str, phrases: Mapping[str, Spoken]) -> str:
+        return fill(template, phrases, self.grammar.derive)
+
+    def _parts(self, parts: Mapping[str, Phrase]) -> dict[str, Spoken]:
+        return {name: self.spoken(part) for name, part in parts.items()}
+
+    def _does(self, does: Does) -> Spoken:
+        """What is said of a subject, in every form of the verb; `clause` has the subject too."""
+        subject = self.grammar.token if does.subject is None else self.spoken(does.subject)
+        verb, template = self._predicate(does)
+        rest = self._fill(template, {**self._agreeing(does.parts, subject), "subject": subject})
+        plural = replace(self.grammar.token, many=True)
+        of_many = self._fill(template, {**self._agreeing(does.parts, plural), "subject": plural})
+        return self._conjugate(self.words.verbs[verb], (rest, of_many), does, subject)
+
+    def _predicate(self, does: Does) -> tuple[str, str]:
+        """The verb and what follows it; a relation may have words of the caregiver's."""
+        relation = does.parts.get("relation")
+        if isinstance(relation, Foreign):
+            own = self.words.relations.get((relation.text, does.predicate))
+            if own is not None:
+                return own
+        return self.words.predicates[self._sayable(does.predicate, does.parts)]
+
+    def _conjugate(
+        self, verb: VerbForms, rests: tuple[str, str], does: Does, subject: Spoken
+    ) -> Spoken:
+        rest, of_many = rests
+        negated = does.negated
+        forms = {
+            "must": f"{verb.must_not if negated else verb.must} {rest}",
+            "does": f"{verb.does_not if negated else verb.does} {rest}",
+            "does_not": f"{verb.does if negated else verb.does_not} {rest}",
+            "do": f"{verb.do_not if negated else verb.do} {of_many}",
+        }
+        clause = f"{subject.text} {forms['does']}"
+        return Spoken(forms["does"], {**forms, "clause": clause})
+
+    def _agreeing(self, parts: Mapping[str, Phrase], subject: Spoken) -> dict[str, Spoken]:
+        """The parts of what is said of `subject`; adjectives agree with it."""
+        spoken: dict[str, Spoken] = {}
+        for name, part in parts.items():
+            match part:
+                case Adjective():
+                    spoken[name] = self._adjective(part, subject)
+                case ValueNamed(attribute, value) if self._naming(attribute) is Naming.QUALITY:
+                    word = self._value_word(attribute, value)
+                    spoken[name] = Spoken(inflect(word, subject.gender, many=subject.many))
+                case _:
+                    spoken[name] = self.spoken(part)
+        return spoken
+
+    def _several(self, several: Several) -> Spoken:
+        members = [self.spoken(each) for each in several.of]
+        forms = {
+            name: self.grammar.join([each.forms[name] for each in members], several.joint)
+            for name in ("must", "does", "do")
+        }
+        return Spoken(forms["does"], forms)
+
+    def _listing(self, listing: Listing) -> Spoken:
+        items = [self.spoken(item) for item in listing.items]
+        joint = listing.joint
+        names = frozenset(items[0].forms).intersection(*(item.forms for item in items))
+        forms = {
+            name: self.grammar.join([item.forms[name] for item in items], joint) for name in names
+        }
+        text = self.grammar.join([item.text for item in items], joint)
+        return Spoken(text, forms, items[0].gender, len(items) > 1 or items[0].many)
+
+    def _kind(self, predicate: Predicate, parts: Mapping[str, Phrase]) -> Spoken:
+        plural = replace(self.grammar.token, many=True)
+        template = self.words.kinds[self._sayable(predicate, parts)]
+        return Spoken(self._fill(template, self._agreeing(parts, plural)), many=True)
+
+    def _things(self, attribute: str) -> Spoken:
+        """What tokens are called that show `attribute` and nothing else."""
+        words = self._attribute(attribute)
+        alone = all(len(token.attributes) == 1 for token in self.deck.tokens)
+        if not alone or words.things is None:
+            return replace(
+                self.grammar.token, text=self.grammar.token.forms["plural"], many=True
+            )
+        return Spoken(words.things, gender=words.gender, many=True)
+
+    def _sayable(self, predicate: Predicate, parts: Mapping[str, Phrase]) -> Predicate:
+        """What can be said of the attribute with the words there are."""
+        adjective, attribute = parts.get("adjective"), parts.get("attribute")
+        if isinstance(adjective, Adjective) and self._degree(adjective) is None:
+            return _WITHOUT_ADJECTIVE.get(predicate, predicate)
+        if isinstance(attribute, AttributeNamed) and self._is_apart(attribute.attribute):
+            return _BESIDE_ATTRIBUTE.get(predicate, predicate)
+        return predicate
+
+    def _degree(self, adjective: Adjective) -> str | None:
+        words = self._attribute(adjective.attribute)
+        match adjective.degree:
+            case Degree.MORE:
+                return words.more
+            case Degree.LESS:
+                return words.less
+            case Degree.MOST:
+                return words.most
+            case Degree.LEAST:
+                return words.least
+            case _:
+                assert_never(adjective.degree)
+
+    def _adjective(self, adjective: Adjective, subject: Spoken) -> Spoken:
+        word = self._degree(adjective) or ""
+        return Spoken(inflect(word, subject.gender, many=subject.many))
+
+    def _attribute(self, attribute: str) -> AttributeWords:
+        words = self.words.attributes.get(attribute)
+        return words or replace(_UNKNOWN, noun=attribute)
+
+    def _is_apart(self, attribute: str) -> bool:
+        """Whether a value of `attribute` is said with the attribute's name beside it."""
+        return self._naming(attribute) in {None, Naming.MEASURE}
+
+    def _naming(self, attribute: str) -> Naming | None:
+        return self._attribute(attribute).naming
+
+    def _value_word(self, attribute: str, value: Value) -> str:
+        if isinstance(value, str):
+            return self.words.values.get((attribute, value), value)
+        return self.grammar.numeral(value)
+
+    def _value(self, attribute: str, value: Value) -> Spoken:
+        """A value where it stands for a token: 34, C, red."""
+        words = self._attribute(attribute)
+        text = self._value_word(attribute, value)
+        match words.naming:
+            case Naming.PLAIN:
+                return self.grammar.plain(text, value, words)
+            case Naming.WORD:
+                return self.grammar.word(text.split("|")[0])
+            case _:
+                return Spoken(text.split("|")[0])
+
+    def _named(self, shown: Attributes) -> Spoken:
+        if shown not in self._names:
+            self._names[shown] = self._name(shown)
+        return self._names[shown]
+
+    @cached_property
+    def _names(self) -> dict[Attributes, Spoken]:
+        return {}
+
+    def _name(self, shown: Attributes) -> Spoken:
+        """A token by the one attribute that names it best, and those that tell it from others."""
+        ranked = sorted(shown, key=lambda pair: _HEADS.index(self._manner(*pair)))
+        if not ranked:
+            return self.grammar.token
+        (attribute, value), *others = ranked
+        words = self._attribute(attribute)
+        text = self._value_word(attribute, value)
+        match self._manner(attribute, value):
+            case Naming.PLAIN:
+                head = self.grammar.plain(text, value, words)
+            case Naming.WORD:
+                head = self.grammar.word(text.split("|")[0])
+            case Naming.QUALITY:
+                head = self.grammar.quality(text)
+            case Naming.MEASURE:
+                head = self.grammar.measure(words, text)
+        rivals = {t.attributes for t in self.deck.tokens if (attribute, value) in t.attributes}
+        more: list[str] = []
+        for pair in others:
+            rest = {rival for rival in rivals if pair in rival}
+            if len(rest) < len(rivals):
+                rivals = rest
+                more.append(inflect(self._value_word(*pair), head.gender))
+        return self.grammar.qualify(head, more) if more else head
+
+    def _manner(self, attribute: str, value: Value) -> Naming:
+        default = Naming.WORD if isinstance(value, str) else Naming.MEASURE
+        return self._naming(attribute) or default

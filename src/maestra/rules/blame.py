@@ -1,0 +1,90 @@
+"""Which rules of a summary a refused move breaks."""
+
+from __future__ import annotations
+
+from typing import assert_never
+
+from maestra.core.state import Move, State
+from maestra.core.tokens import Deck
+from maestra.rules.forms.base import EachSlot, Pairwise
+from maestra.rules.forms.length import FullRow
+from maestra.rules.forms.timing import FillOrder
+from maestra.rules.judging import (
+    AfterTheEnd,
+    Allowed,
+    BrokenPrecondition,
+    DeadEnd,
+    JudgedMove,
+    NotShown,
+    PutBack,
+)
+from maestra.rules.rule import Rule
+from maestra.rules.setting import Play, Setting
+from maestra.rules.strips import Action
+from maestra.rules.summary import Summary, Unseen
+
+
+def broken_rules(summary: Summary, before: State, deck: Deck, move: Move) -> tuple[Rule, ...]:
+    """The rules that `move` breaks by itself, after right moves that led to `before`.
+
+    None, if it does not take a token from storage to the goal row: rules speak of no other.
+    """
+    goal = before.board.goal_row
+    if move.origin.row == goal or move.destination.row != goal:
+        return ()
+    play = Play.begin(Setting(deck, before))
+    token, cell = play.setting.number_of[move.token], move.destination.column - 1
+    return tuple(rule for rule in summary.rules if _breaks(rule, play, token, cell))
+
+
+def _breaks(rule: Rule, play: Play, token: int, cell: int) -> bool:
+    """Whether it is this token on this cell that breaks the rule.
+
+    What lies in the row already was right; its origins are not known any more, so only what is
+    said about pairs is looked at as a whole.
+    """
+    match rule:
+        case FullRow():
+            return False
+        case FillOrder():
+            return cell not in rule.next_cells(play)
+        case Pairwise():
+            return not rule.holds(play.after(token, cell))
+        case EachSlot():
+            return not rule.allowed(play.setting)[cell] >> token & 1
+        case _:
+            return not rule.possible(play.after(token, cell))
+
+
+def broken_ids(judged: JudgedMove, summary: Summary, deck: Deck) -> tuple[str, ...]:
+    """The ids of the sentences that a refused move goes against: rules, else gaps.
+
+    Args:
+        judged: a move with its verdict.
+        summary: of the exercise it was judged by.
+        deck: the tokens it was played with.
+    """
+    match judged.verdict:
+        case Allowed() | PutBack():
+            return ()
+        case AfterTheEnd() | DeadEnd():
+            return (summary.placing_name,)
+        case NotShown(action) | BrokenPrecondition(action):
+            rules = broken_rules(summary, judged.before, deck, judged.move)
+            names = zip(summary.rules, summary.rule_names, strict=True)
+            broken = tuple(name for rule, name in names if rule in rules)
+            return broken or _gaps(summary, action) or (summary.placing_name,)
+        case _:
+            assert_never(judged.verdict)
+
+
+def _gaps(summary: Summary, action: Action) -> tuple[str, ...]:
+    """The gaps, or else the steps, that speak of the action."""
+    gaps = tuple(
+        name
+        for gap, name in zip(summary.gaps, summary.gap_names, strict=True)
+        if gap.step == action.step
+        and action.shown in (gap.missing if isinstance(gap, Unseen) else gap.shown)
+    )
+    steps = tuple(step.name for step in summary.steps if step.step == action.step)
+    return gaps or steps
