@@ -60,7 +60,7 @@ wheel: setup ## build the wheel, install it into an empty environment, use it th
 tests: setup ## the tests, with the coverage each package must have
 	@printf '\n== tests\n'
 	@$(BIN)/python -m pytest --numprocesses=2 --hypothesis-profile=ci \
-		--cov --cov-report=term-missing:skip-covered --coverage-floors
+		--cov --cov-report=term-missing:skip-covered --coverage-floors --durations=10 --durations-min=3
 
 .PHONY: format
 format: setup ## format the code and repair what ruff can
@@ -80,6 +80,10 @@ examples: setup ## write the files in examples/
 .PHONY: bench
 bench: setup ## measure speed
 	$(BIN)/python -m pytest benchmarks --benchmark-enable --benchmark-only -p no:randomly --timeout=0
+
+.PHONY: million
+million: setup ## read a million demonstrations: how fast, in how much memory
+	$(BIN)/python benchmarks/million.py
 
 .PHONY: properties
 properties: setup ## the tests with 5,000 examples for each law instead of 100

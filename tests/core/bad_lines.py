@@ -22,9 +22,9 @@ GOOD: Mapping[str, object] = {
 LINE = json.dumps(GOOD).encode()
 
 
-def changed(*changes: tuple[Path, object]) -> bytes:
+def changed(*changes: tuple[Path, object], line: Mapping[str, object] = GOOD) -> bytes:
     """The good line with some fields changed."""
-    fields: Any = deepcopy(dict(GOOD))
+    fields: Any = deepcopy(dict(line))
     for path, value in changes:
         within = fields
         for step in path[:-1]:

@@ -6,13 +6,16 @@ Each says the file, the line, the field, what is there and what was expected.
 import json
 import tracemalloc
 from collections.abc import Iterable, Iterator
+from typing import Any
 
 import pytest
+from hypothesis import given
+from hypothesis import strategies as st
 
 from maestra.core.demonstration import MAX_MOVES
 from maestra.core.formats import read_demonstrations
 from maestra.core.json_lines import MAX_LINE_BYTES, FormatError
-from tests.core.bad_lines import GOOD, LINE, WRONG_PLAY, WRONG_SHAPE, changed
+from tests.core.bad_lines import GOOD, LINE, WRONG_PLAY, WRONG_SHAPE, Path, changed
 
 
 def refusal(*chunks: bytes) -> str:
@@ -20,12 +23,20 @@ def refusal(*chunks: bytes) -> str:
 
 
 def refusal_of(chunks: Iterable[bytes]) -> str:
-    with pytest.raises(FormatError) as caught:
-        for _ in read_demonstrations(chunks, "demos.jsonl"):
-            pass
-    said = str(caught.value)
+    said = outcome(chunks)
+    assert said
     assert said.isprintable()
     return said
+
+
+def outcome(chunks: Iterable[bytes]) -> str:
+    """What is said of a file; nothing if it is read to its end."""
+    try:
+        for _ in read_demonstrations(chunks, "demos.jsonl"):
+            pass
+    except FormatError as error:
+        return str(error)
+    return ""
 
 
 @pytest.mark.parametrize("content", [b"", b"\n", b" \r\n\r\n", b"\xef\xbb\xbf", b"\xef\xbb\xbf\n"])
@@ -142,6 +153,47 @@ def test_more_moves_than_a_working_day_has_are_refused() -> None:
 def test_a_name_with_a_line_end_cannot_break_the_line() -> None:
     said = refusal(changed((("a\nb\u2028c",), 1)))
     assert said.startswith(r"demos.jsonl, line 1: a\nb\u2028c: unknown field, expected one of ")
+
+
+def paths(fields: Any, at: Path = ()) -> Iterator[Path]:
+    """The place of everything within a line."""
+    steps: Any = ()
+    if isinstance(fields, dict | list):
+        steps = fields if isinstance(fields, dict) else range(len(fields))
+    for step in steps:
+        yield (*at, step)
+        yield from paths(fields[step], (*at, step))
+
+
+ANY_JSON = st.recursive(
+    st.none()
+    | st.booleans()
+    | st.integers()
+    | st.floats()
+    | st.text(st.characters())
+    | st.sampled_from(["04A3B2", "04A3B3", 2, 1, "colour", "value", [1, 1], [2, 1]]),
+    lambda inner: st.lists(inner, max_size=3) | st.dictionaries(st.text(), inner, max_size=3),
+    max_leaves=5,
+)
+FULL = json.loads(
+    changed(
+        (("orders",), {"colour": ["red", "blue"]}),
+        (("cycles",), {}),
+        (("relations",), {"partner": [["cup", "saucer"]]}),
+        (("lexicon",), ["CURIE"]),
+        (("label",), "a note"),
+        (("times_ms",), [5, 9]),
+        (("source",), "board"),
+    )
+)
+
+
+@given(st.lists(st.tuples(st.sampled_from(list(paths(FULL))), ANY_JSON), min_size=1, max_size=3))
+def test_whatever_stands_in_whatever_field_is_read_or_refused_in_one_line(
+    changes: list[tuple[Path, object]],
+) -> None:
+    inner_first = sorted(changes, key=lambda change: -len(change[0]))
+    assert outcome([changed(*inner_first, line=FULL)]).isprintable()
 
 
 def test_a_line_of_a_gigabyte_is_refused_without_being_read() -> None:
