@@ -23,8 +23,10 @@ from maestra.rules.forms.base import EachSlot, Pairwise
 from maestra.rules.forms.counting import CompareCounts, Count, Total, total_of
 from maestra.rules.forms.length import FullRow, UntilTotal
 from maestra.rules.forms.selection import AllOfThem
+from maestra.rules.forms.sources import TakeExtreme
 from maestra.rules.forms.timing import Filling, FillOrder
 from maestra.rules.looks import kinds_of_tokens, lines_of
+from maestra.rules.pairs import Related
 from maestra.rules.rule import Rule, broken_rules
 from maestra.rules.setting import Index, Line, Mask, Play, Setting, bits
 from maestra.rules.token_tests import Comparison, passing
@@ -169,6 +171,11 @@ class Conjunction:
         return tuple(rule for rule in self.rules if not isinstance(rule, EachSlot | Pairwise))
 
     @cached_property
+    def takes(self) -> tuple[TakeExtreme, ...]:
+        """The rules that say which token is next."""
+        return tuple(rule for rule in self.rules if isinstance(rule, TakeExtreme))
+
+    @cached_property
     def sequence(self) -> tuple[Index, ...] | None:
         """The cells in the order in which they will be filled, if only one is possible."""
         if self.filling is None or self.filling.filling not in (
@@ -296,31 +303,34 @@ class _Search:
         self, play: Play, row: Domains, time: Domains
     ) -> Iterator[tuple[Index | None, Index]]:
         """Tokens and cells to try next, the most promising first; no token closes the cell."""
-        now = time.get(len(play.placed), -1)
-        view = self.all.row_view
+        tokens = time.get(len(play.placed), play.left)
+        for rule in self.all.takes:
+            tokens &= rule.next_tokens(play)
         if self.all.filling is not None:
             cells: Sequence[Index] = self.all.filling.next_cells(play)
         elif not self.all.timed:
             cells = (min(row, key=lambda cell: row[cell].bit_count()),)
         else:
             cells = tuple(row) if self.all.on_row else tuple(row)[:1]
-        for cell in cells:
-            domains = row if not time or self.all.on_row else {}
-            yield from ((k, cell) for k in self._in_order(view, cell, row[cell] & now, domains))
+        yield from self._in_order(play, {cell: row[cell] & tokens for cell in cells}, row, time)
         if self.all.filling is None and not self.all.timed:
             yield None, cells[0]
 
-    def _in_order(self, view: View, cell: Index, tokens: Mask, row: Domains) -> list[Index]:
-        """One token of each kind, those first that leave most to the cells linked to this one."""
-        ordered: list[tuple[int, Index]] = []
-        kinds = self.all.kinds
-        linked = [(row[other], masks) for other, masks in view.links[cell] if other in row]
-        while tokens:
-            token = (tokens & -tokens).bit_length() - 1
-            tokens &= ~kinds[token]
-            left = sum((domain & masks[token]).bit_count() for domain, masks in linked)
-            ordered.append((-left, token))
-        return [token for _, token in sorted(ordered)]
+    def _in_order(
+        self, play: Play, choices: Domains, row: Domains, time: Domains
+    ) -> list[tuple[Index, Index]]:
+        """One token of each kind for each cell, those first that leave most to the others."""
+        ordered: list[tuple[int, Index, Index]] = []
+        later = _linked(self.all.time_view, len(play.placed), time)
+        for cell, tokens in choices.items():
+            linked = [*later, *_linked(self.all.row_view, cell, row)]
+            todo = tokens
+            while todo:
+                token = (todo & -todo).bit_length() - 1
+                todo &= ~self.all.kinds[token]
+                left = sum((domain & masks[token]).bit_count() for domain, masks in linked)
+                ordered.append((-left, token, cell))
+        return [(token, cell) for _, token, cell in sorted(ordered)]
 
     def _key(self, play: Play, closed: frozenset[Index], row: Domains, time: Domains) -> Hashable:
         """What the future depends on."""
@@ -344,6 +354,13 @@ class _Search:
             found |= kind & -kind
             tokens &= ~kind
         return found
+
+
+def _linked(view: View | None, slot: Index, domains: Domains) -> list[tuple[Mask, Related]]:
+    """The open slots linked to `slot`, each with what it can have and what a token here leaves."""
+    if view is None:
+        return []
+    return [(domains[other], masks) for other, masks in view.links[slot] if other in domains]
 
 
 def _union(domains: Domains) -> Mask:

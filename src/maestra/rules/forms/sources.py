@@ -9,9 +9,10 @@ import numpy as np
 
 from maestra.rules.forms.base import EachSlot, Form
 from maestra.rules.forms.selection import EveryToken
-from maestra.rules.plays import NOBODY, Plays, Truth, as_matrix, as_table
-from maestra.rules.setting import ORIGIN_ROW, Index, Line, Mask, Play, Rank, Setting, bits
-from maestra.rules.token_tests import Anything, Extreme, TokenTest, has, passing
+from maestra.rules.pairs import Compare, Related, related
+from maestra.rules.plays import Plays, Truth, as_table
+from maestra.rules.setting import ORIGIN_ROW, Line, Mask, Play, Setting, bits
+from maestra.rules.token_tests import Anything, Comparison, Extreme, TokenTest, has, passing
 
 
 def from_row(row: int) -> EveryToken:
@@ -59,15 +60,12 @@ class TakeExtreme(Form):
 
     def holds(self, play: Play) -> bool:
         """As the class says."""
-        ranks, pool = self._ranks(play.setting), passing(play.setting, self.among)
-        left = play.setting.movable & pool
+        sooner, unranked = self._sooner(play.setting)
+        left = play.setting.movable
         for token, _ in play.placed:
-            if pool >> token & 1:
-                mine = ranks[token]
-                others = [rank for k in bits(left) if (rank := ranks[k]) is not None]
-                if mine is None or mine > min(others):
-                    return False
-                left &= ~(1 << token)
+            left &= ~(1 << token)
+            if left & sooner[token] or unranked >> token & 1:
+                return False
         return True
 
     def possible(self, play: Play) -> bool:
@@ -75,33 +73,36 @@ class TakeExtreme(Form):
         return self.holds(play)
 
     def certain(self, play: Play) -> bool:
-        """Whether those left are all alike."""
-        ranks = self._ranks(play.setting)
-        left = {ranks[k] for k in bits(play.left & passing(play.setting, self.among))}
-        return self.holds(play) and (not play.room or (None not in left and len(left) <= 1))
+        """Whether every one left may be next: they are all alike."""
+        return self.holds(play) and (not play.room or self.next_tokens(play) == play.left)
 
-    def _ranks(self, setting: Setting) -> tuple[Rank | None, ...]:
-        sign = 1 if self.extreme is Extreme.LOWEST else -1
-        return tuple(None if r is None else sign * r for r in setting.ranks(self.attribute))
+    def next_tokens(self, play: Play) -> Mask:
+        """The tokens that may be taken next."""
+        sooner, unranked = self._sooner(play.setting)
+        return sum(1 << k for k in bits(play.left & ~unranked) if not play.left & sooner[k])
+
+    def _sooner(self, setting: Setting) -> tuple[Related, Mask]:
+        """For each token those to be taken before it, and the tokens that may not be taken."""
+        return setting.remember(self, lambda: self._work_out(setting))
+
+    def _work_out(self, setting: Setting) -> tuple[Related, Mask]:
+        pool = passing(setting, self.among)
+        order = Comparison.MORE if self.extreme is Extreme.LOWEST else Comparison.LESS
+        beyond = related(setting, Compare(self.attribute, order))
+        ranks = setting.ranks(self.attribute)
+        masks = (mask & pool if pool >> k & 1 else 0 for k, mask in enumerate(beyond))
+        return tuple(masks), pool & setting.mask(lambda k: ranks[k] is None)
 
     def mask(self, plays: Plays) -> Truth:
-        """As `holds`: all that are beyond a token were placed before it."""
+        """As `holds`: all that go sooner than a token were placed before it."""
         setting = plays.setting
-        ranks, pool = self._ranks(setting), passing(setting, self.among)
-        right = np.ones(len(plays), np.bool_)
-        beyond = as_matrix(setting, setting.masks(lambda a, b: self._is_beyond(setting, a, b)))
-        stored = [*bits(setting.movable), NOBODY]
-        all_beyond = beyond[stored[:-1]].sum(axis=0) if stored[:-1] else np.zeros(len(beyond))
-        wrong = as_table(setting, pool & setting.mask(lambda k: ranks[k] is None), nobody=False)
+        sooner, unranked = self._sooner(setting)
+        stored = [mask & setting.movable for mask in sooner]
+        table = np.vstack([as_table(setting, mask, nobody=False) for mask in (*stored, 0)])
+        wanted = table.sum(axis=1)
+        right = ~as_table(setting, unranked, nobody=False)[plays.time].any(axis=1)
         for t in range(setting.length):
             now = plays.time[:, t]
-            before = beyond[plays.time[:, :t], now[:, None]].sum(axis=1)
-            right &= ((now == NOBODY) | (before == all_beyond[now])) & ~wrong[now]
-        return right
-
-    def _is_beyond(self, setting: Setting, one: Index, two: Index) -> bool:
-        """Whether `one` would have to be taken before `two`."""
-        ranks, pool = self._ranks(setting), passing(setting, self.among)
-        a, b = ranks[one], ranks[two]
-        looked_at = pool >> one & 1 and pool >> two & 1
-        return bool(looked_at) and a is not None and b is not None and a < b
+            before = table[now[:, None], plays.time[:, :t]].sum(axis=1)
+            right &= before == wanted[now]
+        return np.asarray(right)
