@@ -13,7 +13,7 @@ def showings(key: str) -> Showings:
 
 @pytest.mark.parametrize(
     ("key", "actions", "times"),
-    [("odd-ascending", 5, 2), ("ascending", 30, 2), ("first-row", 50, 1), ("word", 5, 2)],
+    [("odd-ascending", 5, 2), ("ascending", 30, 2), ("first-row", 50, 1), ("curie", 5, 2)],
 )
 def test_each_action_of_the_papers_exercises_must_be_shown_so_often(
     key: str, actions: int, times: int

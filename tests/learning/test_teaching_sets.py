@@ -33,8 +33,8 @@ def teaches(shown: tuple[Demonstration, ...], plays: RightPlays, vocabulary: Voc
         ("ascending", 12),
         ("descending", 12),
         ("first-row", 10),
-        ("word", 2),
-        ("alphabetical", 12),
+        ("curie", 2),
+        ("letters", 12),
     ],
 )
 def test_the_papers_exercises_take_as_many_demonstrations_as_the_paper_says(
@@ -61,7 +61,7 @@ def test_the_ascending_exercise_is_taught_by_six_windows_each_shown_twice() -> N
 
 
 @pytest.mark.parametrize("level", [Level.B, Level.C])
-@pytest.mark.parametrize("key", ["odd-ascending", "ascending", "word"])
+@pytest.mark.parametrize("key", ["odd-ascending", "ascending", "curie"])
 def test_a_richer_vocabulary_is_taught_too_and_the_bound_stays_below(
     key: str, level: Level
 ) -> None:
@@ -160,3 +160,15 @@ def test_an_exercise_without_a_right_play_needs_no_demonstration() -> None:
     plays = RightPlays(Board(2, 2), deck, lambda _placements: False)
     vocabulary = Vocabulary(plays.board, deck, Level.A, select_features(deck, None))
     assert teaching_set(plays, vocabulary) == TeachingSet((), 0)
+
+
+def test_where_the_most_telling_plays_are_not_the_fewest_the_fewest_are_found() -> None:
+    deck = numbers(3)
+    plays = RightPlays(Board(2, 3), deck, from_left, from_left, lengths=frozenset({2}))
+    vocabulary = Vocabulary(plays.board, deck, Level.A, select_features(deck, None))
+    found = teaching_set(plays, vocabulary)
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(teaching_sets, "MAX_LISTED", -1)
+        greedy = teaching_set(plays, vocabulary)
+    assert found.is_smallest
+    assert len(found.demonstrations) == 6 < len(greedy.demonstrations)

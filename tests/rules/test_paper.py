@@ -11,8 +11,8 @@ from maestra.rules.paper import LETTER_DECK, NUMBER_DECK, NUMBERS, PAPER_EXERCIS
         ("ascending", 252, 30),
         ("descending", 252, 30),
         ("first-row", 30_240, 50),
-        ("word", 1, 5),
-        ("alphabetical", 252, 30),
+        ("curie", 1, 5),
+        ("letters", 252, 30),
     ],
 )
 def test_each_exercise_has_as_many_right_sequences_and_actions(

@@ -145,9 +145,9 @@ _ALL: Final = (
         10,
         ("cells",),
     ),
-    PaperExercise("word", "v", "Spell CURIE", lambda: _plays(LETTER_DECK, spells_the_word), 2),
+    PaperExercise("curie", "v", "Spell CURIE", lambda: _plays(LETTER_DECK, spells_the_word), 2),
     PaperExercise(
-        "alphabetical",
+        "letters",
         "vi",
         "Five letters, alphabetical",
         lambda: _plays(LETTER_DECK, alphabetical),

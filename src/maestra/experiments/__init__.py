@@ -1,0 +1,1 @@
+"""The paper's experiments, reproducible: fewest demonstrations, and learning curves."""
