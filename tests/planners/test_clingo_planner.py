@@ -4,7 +4,7 @@ import signal
 import subprocess
 import sys
 import threading
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable
 
 import pytest
 from hypothesis import given
@@ -78,11 +78,19 @@ def test_time_is_watched_while_the_rules_are_stated() -> None:
     assert 0.05 <= outcome.seconds < 1
 
 
-def test_a_problem_that_will_not_fit_is_not_prepared(monkeypatch: pytest.MonkeyPatch) -> None:
-    def resident(readings: Sequence[int]) -> Callable[[], int]:
-        rest = iter(readings)
-        return lambda: next(rest)
+def resident(readings: Iterable[int]) -> Callable[[], int]:
+    """What this process shall seem to hold in memory, one look after another."""
+    rest = iter(readings)
+    return lambda: next(rest)
 
+
+def test_memory_is_watched_while_clingo_searches(monkeypatch: pytest.MonkeyPatch) -> None:
+    looks = itertools.chain([0] * 20, itertools.repeat(101 * 2**20))
+    monkeypatch.setattr(clingo_planner, "resident_bytes", resident(looks))
+    assert isinstance(ClingoPlanner().solve(vertex_cover(), Limits(60.0, 100)), OutOfMemory)
+
+
+def test_a_problem_that_will_not_fit_is_not_prepared(monkeypatch: pytest.MonkeyPatch) -> None:
     # At first; when the rules are stated. A third of the limit is taken, and preparing takes
     # three times that.
     monkeypatch.setattr(clingo_planner, "resident_bytes", resident([0, 34 * 2**20]))

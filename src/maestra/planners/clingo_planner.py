@@ -1,4 +1,4 @@
-"""clingo [1] as the embedded planner: a plan of fewest operators for problems without deletes.
+"""clingo as the embedded planner: a plan of fewest operators for problems without deletes.
 
 Without deletes, order follows from need alone: a plan is a set of operators each of which gets
 what it needs from the initial state or from others of the set, without going round in circles.
@@ -13,12 +13,14 @@ clingo works inside this process. We measured what the alternative costs: a proc
 needs 70 ms to start Python and clingo, three times what the paper's largest lesson takes to be
 solved. So the limits are kept from outside the solver's loop: it runs in a thread of clingo's,
 while we look every few milliseconds at the clock and at the memory of this process, and cancel
-it, which takes clingo less than 50 ms. Two consequences, both bounded by the size of the
-problem: what other threads allocate meanwhile counts as clingo's, and the step in which clingo
-prepares the rules cannot be cancelled (it takes a third of the time we need to state them, and
-is not begun if the memory it will need, by measure, is not there).
+it, which takes clingo less than 50 ms. Two consequences:
 
-[1] Gebser et al., Multi-shot ASP solving with clingo, TPLP 19(1), 2019; https://potassco.org
+- The memory limit is on how much this process grows. What other threads allocate meanwhile
+  counts as clingo's; what was freed before, and is used again, does not count.
+- The step in which clingo prepares the rules cannot be cancelled. It takes a third of the time
+  we need to state them, and is not begun if the memory it will need, by measure, is not there.
+
+clingo: https://potassco.org/clingo
 """
 
 from __future__ import annotations

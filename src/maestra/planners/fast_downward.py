@@ -1,11 +1,11 @@
-"""Fast Downward [1] as a planner: its search program, given SAS+ written directly.
+"""Fast Downward as a planner: its search program, given SAS+ written directly.
 
 The translator is left out: starting it for each action would cost more than the search. Each
 fluent becomes a variable with two values. The search is lazy greedy with the FF heuristic:
 any plan, soon; `plans.minimise` is there for what is too much.
 
-[1] Helmert, The Fast Downward Planning System, JAIR 26, 2006; https://www.fast-downward.org,
-    pages "TranslatorOutputFormat" (SAS+, version 3) and "ExitCodes".
+Fast Downward: https://www.fast-downward.org; the exit codes are those of its
+driver/returncodes.py.
 """
 
 from __future__ import annotations
@@ -49,7 +49,7 @@ _ON_PATH: Final = "downward"
 _SEARCH: Final = "lazy_greedy([ff()],preferred=[ff()])"
 _PLAN_FILE: Final = "plan"
 
-# https://www.fast-downward.org/ExitCodes
+# driver/returncodes.py
 _SOLVED: Final = 0
 _UNSOLVABLE: Final = 11
 _UNSOLVED_INCOMPLETE: Final = 12

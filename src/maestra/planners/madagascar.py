@@ -1,4 +1,4 @@
-"""Madagascar [1], the planner of the paper: `Mp`, `MpC` or `M`, given PDDL.
+"""Jussi Rintanen's Madagascar, the planner of the paper: `Mp`, `MpC` or `M`, given PDDL.
 
 A SAT planner: it asks for plans of more and more steps, each of which may hold several
 operators. No registry carries it and it has no licence file, so nobody but the user can bring
@@ -7,8 +7,6 @@ in `parser.y`), and tested with a double that behaves so.
 
 It cannot prove that there is no plan. Where the goal is out of reach even without deletes,
 which decides all problems of `learning.compiled`, this adapter proves it before asking.
-
-[1] Rintanen, Planning as satisfiability: heuristics, Artificial Intelligence 193, 2012.
 """
 
 from __future__ import annotations
