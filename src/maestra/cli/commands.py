@@ -1,0 +1,249 @@
+"""Every command with its arguments; what it does is in a module that is imported when it runs.
+
+Only typer and the standard library are imported here, so that `maestra --help` and shell
+completion answer at once.
+"""
+
+from enum import Enum
+from typing import Annotated, Final
+
+import typer
+
+from maestra import __version__
+from maestra.cli import experiment
+
+_HELP: Final = """Teach a tabletop exercise by showing it, read its rules, judge plays of it.
+
+`-` as a file is standard input or output. Exit code 0: done; 1: the answer is no (a refused
+play, rules that are not clear yet); 2: bad input, said in one line on standard error.
+"""
+
+app = typer.Typer(
+    help=_HELP,
+    # Plain help starts in half the time that rich's takes, and reads the same when piped.
+    rich_markup_mode=None,
+    context_settings={"help_option_names": ["-h", "--help"], "max_content_width": 100},
+    pretty_exceptions_enable=False,
+)
+app.add_typer(experiment.app, name="experiment")
+
+
+class Learner(Enum):
+    """How preconditions are learned."""
+
+    GROUNDED = "grounded"
+    COMPILED = "compiled"
+
+
+class LevelName(Enum):
+    """What preconditions may speak of."""
+
+    A = "A"
+    B = "B"
+    C = "C"
+
+
+class LanguageName(Enum):
+    """The languages that Maestra speaks."""
+
+    ENGLISH = "en"
+    SPANISH = "es"
+    CATALAN = "ca"
+
+
+class Engine(Enum):
+    """Planners for the learner `compiled`."""
+
+    CLINGO = "clingo"
+    FAST_DOWNWARD = "fast-downward"
+    MADAGASCAR = "madagascar"
+
+
+ExerciseFile = Annotated[
+    str, typer.Argument(metavar="EXERCISE.json", help="An exercise that `learn` wrote.")
+]
+Lang = Annotated[LanguageName, typer.Option("--lang", help="The language of sentences.")]
+Json = Annotated[bool, typer.Option("--json", help="Print JSON and nothing else.")]
+Words = Annotated[
+    str | None,
+    typer.Option("--words", metavar="FILE", help="Your own words for attributes and values."),
+]
+
+
+@app.callback(invoke_without_command=True)
+def maestra(
+    context: typer.Context,
+    version: Annotated[
+        bool, typer.Option("--version", is_eager=True, help="Print the version and exit.")
+    ] = False,
+) -> None:
+    """Print the version or the help when no command is named."""
+    if version:
+        typer.echo(f"maestra {__version__}")
+    elif context.invoked_subcommand is None:
+        typer.echo(context.get_help())
+    else:
+        return
+    raise typer.Exit
+
+
+@app.command()
+def learn(
+    demonstrations: Annotated[
+        str, typer.Argument(metavar="DEMOS.jsonl", help="What was shown, one a line.")
+    ],
+    *,
+    output: Annotated[
+        str, typer.Option("--output", "-o", metavar="EXERCISE.json", help="Where to write it.")
+    ],
+    learner: Annotated[
+        Learner, typer.Option(help="Directly, or by planning as in the paper.")
+    ] = Learner.GROUNDED,
+    features: Annotated[
+        str | None,
+        typer.Option(metavar="NAME,NAME", help="The features that count; `features` lists them."),
+    ] = None,
+    level: Annotated[
+        LevelName,
+        typer.Option(
+            help="What rules may look at: relations to the goal row (A), also what "
+            "lies there (B), the whole board (C)."
+        ),
+    ] = LevelName.A,
+    engine: Annotated[
+        Engine | None,
+        typer.Option(help="The planner for `--learner compiled`.  [default: clingo]"),
+    ] = None,
+    time_limit: Annotated[
+        float, typer.Option(metavar="SECONDS", min=0.001, help="For the planner.")
+    ] = 300.0,
+    memory_limit: Annotated[
+        int, typer.Option(metavar="MB", min=1, help="For the planner.")
+    ] = 2048,
+    compiled_pddl: Annotated[
+        str | None,
+        typer.Option(
+            "--compiled-pddl", metavar="DIR", help="Also write the planning problem, for audit."
+        ),
+    ] = None,
+    lang: Lang = LanguageName.ENGLISH,
+    words: Words = None,
+    json: Json = False,
+) -> None:
+    """Learn an exercise from demonstrations."""
+    from maestra.cli import learning
+
+    if learner is Learner.GROUNDED and (engine is not None or compiled_pddl is not None):
+        option = "--compiled-pddl" if engine is None else "--engine"
+        raise typer.BadParameter(f"{option} needs --learner compiled")
+    if json and output == "-":
+        raise typer.BadParameter("--json and --output - both want standard output")
+    planning = None
+    if learner is Learner.COMPILED:
+        name = (engine or Engine.CLINGO).value
+        planning = learning.Planning(name, time_limit, memory_limit, compiled_pddl)
+    names = None if features is None else tuple(features.split(","))
+    request = learning.Request(demonstrations, output, names, level.value, planning)
+    learning.learn(request, lang.value, words, as_json=json)
+
+
+@app.command()
+def explain(
+    exercise: ExerciseFile,
+    detail: Annotated[
+        bool, typer.Option("--detail", help="Also each action's precondition, as a formula.")
+    ] = False,
+    lang: Lang = LanguageName.ENGLISH,
+    words: Words = None,
+    json: Json = False,
+) -> None:
+    """Say the rules of an exercise in words."""
+    from maestra.cli import explaining
+
+    explaining.explain(exercise, lang.value, words, detail=detail, as_json=json)
+
+
+@app.command()
+def moves(
+    exercise: ExerciseFile,
+    positions: Annotated[
+        str, typer.Argument(metavar="POSITIONS.jsonl", help="Plays that are not finished.")
+    ],
+    json: Json = False,
+) -> None:
+    """List the right moves in each position."""
+    _demand_one_standard_input(exercise, positions)
+    from maestra.cli import judging
+
+    _ = json  # it prints nothing else anyway
+    judging.moves(exercise, positions)
+
+
+@app.command()
+def judge(
+    exercise: ExerciseFile,
+    plays: Annotated[str, typer.Argument(metavar="PLAYS.jsonl", help="What was played.")],
+    lang: Lang = LanguageName.ENGLISH,
+    words: Words = None,
+    json: Json = False,
+) -> None:
+    """Say which moves of each play are right, and why not."""
+    _demand_one_standard_input(exercise, plays)
+    from maestra.cli import judging
+
+    _ = json
+    judging.judge(exercise, plays, lang.value, words)
+
+
+@app.command()
+def export(
+    exercise: ExerciseFile,
+    pddl: Annotated[
+        str, typer.Option("--pddl", metavar="DIR", help="The folder for domain and problem.")
+    ],
+    play: Annotated[
+        str | None,
+        typer.Option(metavar="PLAY.jsonl", help="The problem starts where this play stands."),
+    ] = None,
+    json: Json = False,
+) -> None:
+    """Write an exercise as a STRIPS domain and problem in PDDL."""
+    _demand_one_standard_input(exercise, play)
+    from maestra.cli import exporting
+
+    exporting.export(exercise, pddl, play, as_json=json)
+
+
+@app.command()
+def features(
+    demonstrations: Annotated[
+        str | None,
+        typer.Argument(metavar="[DEMOS.jsonl]", help="List those that apply to these."),
+    ] = None,
+    lang: Lang = LanguageName.ENGLISH,
+    json: Json = False,
+) -> None:
+    """List what `learn --features` takes."""
+    from maestra.cli import listing
+
+    listing.features(demonstrations, lang.value, as_json=json)
+
+
+@app.command()
+def demo(
+    lang: Annotated[
+        LanguageName | None, typer.Option("--lang", help="The language.  [default: yours]")
+    ] = None,
+    seed: Annotated[
+        int | None, typer.Option(metavar="NUMBER", help="Deal the same tokens each time.")
+    ] = None,
+) -> None:
+    """Teach and play the paper's exercises in the terminal."""
+    from maestra.cli import demo_terminal
+
+    demo_terminal.play(None if lang is None else lang.value, seed)
+
+
+def _demand_one_standard_input(*files: str | None) -> None:
+    if files.count("-") > 1:
+        raise typer.BadParameter("only one file can be standard input")

@@ -1,0 +1,423 @@
+"""The guided session as a state machine: what was typed in, what to say and show out.
+
+Pure: no terminal, no clock; chance comes in as a number with every line typed.
+"""
+
+from dataclasses import dataclass, replace
+from random import Random
+from typing import Final, TypeAlias, assert_never
+
+from maestra.cli.demo_stages import (
+    SUBJECTS,
+    Choosing,
+    Drawn,
+    Ended,
+    Output,
+    Playing,
+    Said,
+    Stage,
+    Subject,
+    Taught,
+    Teaching,
+    Tone,
+)
+from maestra.cli.demo_words import Command, Unclear, Wish, Word, understand
+from maestra.cli.drawing import label
+from maestra.cli.lesson import Speech
+from maestra.core.board import Cell
+from maestra.core.demonstration import Demonstration
+from maestra.core.state import Move, State
+from maestra.core.tokens import Deck, TokenId
+from maestra.language import reason
+from maestra.language.terminal import TerminalKey as Key
+from maestra.rules.judging import Allowed, JudgedMove
+from maestra.rules.summary import Check
+
+MAX_AT_ONCE: Final = 30
+"""Right plays that Maestra shows for one request."""
+MAX_GAPS: Final = 5
+"""What is not clear yet: as much as a person reads between two plays."""
+STARTS_TRIED: Final = 20
+"""Arrangements looked at for one from which some move is right."""
+
+Step: TypeAlias = tuple[Stage, tuple[Output, ...]]
+"""The next stage, and what to say and show now."""
+
+
+def begin(speech: Speech) -> Step:
+    """The first stage."""
+    welcome = Said(speech.say(Key.WELCOME), Tone.HEADING)
+    return Choosing(), (welcome, *_menu(speech))
+
+
+def step(stage: Stage, line: str, chance: int, speech: Speech) -> Step:
+    """The stage after `line` was typed.
+
+    Args:
+        stage: the stage before.
+        line: what was typed.
+        chance: any number; the same one makes the same session.
+        speech: the language.
+    """
+    if not line.strip():
+        return stage, ()
+    match stage:
+        case Choosing():
+            return _choose(line, chance, speech)
+        case Teaching():
+            return _Teacher(stage, _dealer(chance), speech).step(line)
+        case Playing():
+            return _Player(stage, _dealer(chance), speech).step(line)
+        case Ended():
+            return stage, ()
+        case _:
+            assert_never(stage)
+
+
+def end(speech: Speech) -> Step:
+    """The last stage: nothing more is typed."""
+    return Ended(), (Said(speech.say(Key.GOODBYE)),)
+
+
+def _dealer(chance: int) -> Random:
+    return Random(chance)  # noqa: S311 - it deals tokens
+
+
+def _menu(speech: Speech) -> tuple[Output, ...]:
+    titles = [
+        Said(f"  {number}  {speech.say(subject.title)}")
+        for number, subject in enumerate(SUBJECTS, start=1)
+    ]
+    return (Said(speech.say(Key.WHICH_EXERCISE)), *titles)
+
+
+def _choose(line: str, chance: int, speech: Speech) -> Step:
+    match understand(line, speech.language):
+        case Command(Word.QUIT):
+            return end(speech)
+        case Command(Word.HELP):
+            text = speech.say(Key.HELP_CHOOSING, quit=speech.say(Key.TYPE_QUIT))
+            return Choosing(), (Said(text),)
+        case Command(Word.MENU):
+            return Choosing(), _menu(speech)
+        case Wish(number, None) if number.isdecimal() and 1 <= int(number) <= len(SUBJECTS):
+            subject = SUBJECTS[int(number) - 1]
+            return _teach(Taught(subject), _dealer(chance), speech)
+        case _:
+            return Choosing(), (Said(speech.say(Key.PLEASE_CHOOSE, last=len(SUBJECTS))),)
+
+
+def _teach(taught: Taught, chance: Random, speech: Speech) -> Step:
+    """Begin to teach, or go on with it."""
+    subject = taught.subject
+    stage = Teaching(taught, subject.start(chance))
+    title = Said(speech.say(Key.TEACH, title=speech.say(subject.title)), Tone.HEADING)
+    example = Said(speech.say(Key.HOW_TO_MOVE, token=_example(subject.deck)))
+    how = [title, example]
+    if subject.right is not None:
+        how.append(Said(speech.say(Key.HOW_TO_SHOW, show=speech.say(Key.TYPE_SHOW))))
+    return stage, (*how, _nth(taught, speech), Drawn(stage.start, subject.deck))
+
+
+def _play(taught: Taught, chance: Random, speech: Speech) -> Step:
+    """Begin to play, from an arrangement in which some move is right if there is one."""
+    subject = taught.subject
+    starts = (subject.start(chance) for _ in range(STARTS_TRIED))
+    start = subject.start(chance)
+    for start in starts:
+        if any(taught.judge.allowed_moves(start, 0)):
+            break
+    turn = Said(speech.say(Key.YOUR_TURN), Tone.HEADING)
+    return Playing(taught, start), (turn, Drawn(start, subject.deck))
+
+
+def _nth(taught: Taught, speech: Speech) -> Said:
+    number = len(taught.shown) + 1
+    return Said(speech.say(Key.NTH_DEMONSTRATION, number=number), Tone.HEADING)
+
+
+def _example(deck: Deck) -> str:
+    return label(deck.tokens[0])
+
+
+@dataclass(frozen=True, slots=True)
+class _Table:
+    """What lies on the table, and moves on it as they are typed."""
+
+    state: State
+    deck: Deck
+    speech: Speech
+
+    def move(self, wish: Wish) -> Move | Said:
+        """The move that is wished for, or why it cannot be made."""
+        token = self._named(wish.token)
+        if token is None:
+            return Said(self.speech.say(Key.UNKNOWN_TOKEN, token=wish.token))
+        origin = self.state.cells[token]
+        goals = self.state.board.goal_cells
+        if origin in goals:
+            name = label(self.deck.by_id[token])
+            return Said(self.speech.say(Key.ALREADY_THERE, token=name))
+        destination = self._destination(wish.column, goals)
+        return destination if isinstance(destination, Said) else Move(token, origin, destination)
+
+    def _destination(self, column: int | None, goals: tuple[Cell, ...]) -> Cell | Said:
+        empty = [cell for cell in goals if cell not in self.state.tokens]
+        if column is None:
+            return empty[0] if empty else Said(self.speech.say(Key.ROW_IS_FULL))
+        if not 1 <= column <= len(goals):
+            return Said(self.speech.say(Key.NO_SUCH_COLUMN, last=len(goals)))
+        goal = goals[column - 1]
+        return goal if goal in empty else Said(self.speech.say(Key.TAKEN, column=column))
+
+    def _named(self, typed: str) -> TokenId | None:
+        found = (one.id for one in self.deck.tokens if label(one).casefold() == typed)
+        return next(found, None)
+
+
+@dataclass(frozen=True, slots=True)
+class _Teacher:
+    """The user shows how it goes."""
+
+    stage: Teaching
+    chance: Random
+    speech: Speech
+
+    @property
+    def taught(self) -> Taught:
+        """What was shown before."""
+        return self.stage.taught
+
+    def step(self, line: str) -> Step:
+        """The stage after `line`."""
+        match understand(line, self.speech.language):
+            case Command(word, count):
+                return self._obey(word, count)
+            case Wish() as wish:
+                return self._move(wish)
+            case Unclear():
+                return self._stay(_unknown(self.speech))
+
+    def _obey(self, word: Word, count: int) -> Step:  # noqa: PLR0911 - one case a command
+        match word:
+            case Word.UNDO:
+                return self._undo()
+            case Word.DONE:
+                return self.done()
+            case Word.SHOW:
+                return self._show(count)
+            case Word.PLAY if not self.taught.shown:
+                return self._stay(Said(self.speech.say(Key.NOTHING_SHOWN)))
+            case Word.PLAY:
+                return _play(self.taught, self.chance, self.speech)
+            case Word.HELP:
+                return self._stay(_help(Key.HELP_TEACHING, self.taught.subject, self.speech))
+            case Word.MENU:
+                return Choosing(), _menu(self.speech)
+            case Word.QUIT:
+                return end(self.speech)
+            case Word.TEACH | Word.HINT:
+                return self._stay(_unknown(self.speech))
+
+    def _stay(self, *said: Said) -> Step:
+        return self.stage, said
+
+    def _move(self, wish: Wish) -> Step:
+        deck = self.taught.subject.deck
+        move = _Table(self.stage.state, deck, self.speech).move(wish)
+        if isinstance(move, Said):
+            return self._stay(move)
+        stage = replace(self.stage, moves=(*self.stage.moves, move))
+        drawn = Drawn(stage.state, deck)
+        if any(cell not in stage.state.tokens for cell in stage.state.board.goal_cells):
+            return stage, (drawn,)
+        after, outputs = _Teacher(stage, self.chance, self.speech).done()
+        return after, (drawn, *outputs)
+
+    def _undo(self) -> Step:
+        if not self.stage.moves:
+            return self._stay(Said(self.speech.say(Key.NOTHING_TO_UNDO)))
+        stage = replace(self.stage, moves=self.stage.moves[:-1])
+        return stage, (Drawn(stage.state, self.taught.subject.deck),)
+
+    def done(self) -> Step:
+        """The stage after this demonstration, which is over."""
+        if not self.stage.moves:
+            return self._stay(Said(self.speech.say(Key.NOTHING_MOVED)))
+        subject = self.taught.subject
+        shown = Demonstration(subject.deck, self.stage.start, self.stage.moves)
+        return self._learned((shown,), ())
+
+    def _show(self, count: int) -> Step:
+        subject = self.taught.subject
+        if subject.right is None:
+            return self._stay(Said(self.speech.say(Key.CANNOT_SHOW)))
+        shown = self.taught.shown
+        outputs: list[Output] = []
+        for number in range(min(count, MAX_AT_ONCE)):
+            play = subject.right_play(shown, self.chance)
+            if number:
+                outputs.append(_nth(Taught(subject, shown), self.speech))
+            outputs += _moves_of(play, self.speech, one_by_one=count == 1)
+            shown = (*shown, play)
+            if number + 1 < min(count, MAX_AT_ONCE):
+                before = Taught(subject, shown[:-1])
+                outputs += _new_rules(before, Taught(subject, shown), self.speech)
+        return self._learned(shown[len(self.taught.shown) :], tuple(outputs))
+
+    def _learned(self, shown: tuple[Demonstration, ...], outputs: tuple[Output, ...]) -> Step:
+        """What is understood after `shown`, and the board for the next demonstration."""
+        taught = Taught(self.taught.subject, (*self.taught.shown, *shown))
+        stage = Teaching(taught, taught.subject.start(self.chance))
+        before = Taught(taught.subject, taught.shown[:-1])
+        play = self.speech.say(Key.TYPE_PLAY)
+        return stage, (
+            *outputs,
+            *_understood(before, taught, self.speech),
+            Said(self.speech.say(Key.NEXT_STEP, play=play), Tone.ASIDE),
+            _nth(taught, self.speech),
+            Drawn(stage.start, taught.subject.deck),
+        )
+
+
+@dataclass(frozen=True, slots=True)
+class _Player:
+    """The user plays."""
+
+    stage: Playing
+    chance: Random
+    speech: Speech
+
+    @property
+    def taught(self) -> Taught:
+        """What the moves are judged by."""
+        return self.stage.taught
+
+    def step(self, line: str) -> Step:
+        """The stage after `line`."""
+        match understand(line, self.speech.language):
+            case Command(word):
+                return self._obey(word)
+            case Wish() as wish:
+                return self._move(wish)
+            case Unclear():
+                return self.stage, (_unknown(self.speech),)
+
+    def _obey(self, word: Word) -> Step:  # noqa: PLR0911 - one case a command
+        match word:
+            case Word.HINT:
+                return self.stage, (self._hint(),)
+            case Word.DONE:
+                return self.done()
+            case Word.PLAY:
+                return _play(self.taught, self.chance, self.speech)
+            case Word.TEACH:
+                return _teach(self.taught, self.chance, self.speech)
+            case Word.HELP:
+                text = _help(Key.HELP_PLAYING, self.taught.subject, self.speech)
+                return self.stage, (text,)
+            case Word.MENU:
+                return Choosing(), _menu(self.speech)
+            case Word.QUIT:
+                return end(self.speech)
+            case Word.UNDO | Word.SHOW:
+                return self.stage, (_unknown(self.speech),)
+
+    def _move(self, wish: Wish) -> Step:
+        stage, judge = self.stage, self.taught.judge
+        move = _Table(stage.state, self.taught.subject.deck, self.speech).move(wish)
+        if isinstance(move, Said):
+            return stage, (move,)
+        judged = JudgedMove(stage.state, move, judge.verdict(stage.state, stage.made, move))
+        if not isinstance(judged.verdict, Allowed):
+            return stage, self._refusal(judged)
+        after = replace(stage, state=stage.state.after(move), made=stage.made + 1)
+        right = Said(self.speech.say(Key.RIGHT), Tone.GOOD)
+        drawn = Drawn(after.state, self.taught.subject.deck)
+        if after.made < max(judge.exercise.lengths):
+            return after, (drawn, right)
+        return _Player(after, self.chance, self.speech).complete((drawn, right))
+
+    def _refusal(self, judged: JudgedMove) -> tuple[Output, ...]:
+        deck = self.taught.subject.deck
+        token = label(deck.by_id[judged.move.token])
+        speech = self.speech
+        why = reason(judged, self.taught.summary, deck, speech.language, speech.words)
+        return (
+            Said(why, Tone.WRONG),
+            Said(speech.say(Key.PUT_BACK, token=token)),
+            Drawn(judged.before, deck),
+        )
+
+    def done(self) -> Step:
+        """The stage after the play, which the user thinks is over."""
+        if not self.taught.judge.may_end(self.stage.made):
+            return self.stage, (Said(self.speech.say(Key.NOT_YET)),)
+        return self.complete(())
+
+    def complete(self, outputs: tuple[Output, ...]) -> Step:
+        """The stage after a whole play: praise, and a new arrangement."""
+        stage, begun = _play(self.taught, self.chance, self.speech)
+        return stage, (*outputs, Said(self.speech.say(Key.COMPLETE), Tone.GOOD), *begun)
+
+    def _hint(self) -> Said:
+        moves = self.taught.judge.allowed_moves(self.stage.state, self.stage.made)
+        move = min(moves, key=lambda one: (one.destination, one.origin), default=None)
+        if move is None:
+            return Said(self.speech.say(Key.NO_HINT, teach=self.speech.say(Key.TYPE_TEACH)))
+        token = label(self.taught.subject.deck.by_id[move.token])
+        return Said(self.speech.say(Key.HINT, token=token, column=move.destination.column))
+
+
+def _unknown(speech: Speech) -> Said:
+    return Said(speech.say(Key.UNKNOWN_COMMAND, help=speech.say(Key.TYPE_HELP)))
+
+
+def _help(key: Key, subject: Subject, speech: Speech) -> Said:
+    typed = {word.name.lower(): speech.say(word.value) for word in Word}
+    return Said(speech.say(key, token=_example(subject.deck), **typed))
+
+
+def _moves_of(play: Demonstration, speech: Speech, *, one_by_one: bool) -> list[Output]:
+    """A play that Maestra shows: each move, or only the tokens in their order."""
+    tokens = [label(play.deck.by_id[move.token]) for move in play.moves]
+    if not one_by_one:
+        return [Said("  ".join(tokens))]
+    said = [
+        Said(speech.say(Key.I_MOVE, token=token, column=move.destination.column))
+        for token, move in zip(tokens, play.moves, strict=True)
+    ]
+    return [Drawn(play.start, play.deck), *said, Drawn(play.end, play.deck)]
+
+
+def _rules(taught: Taught, speech: Speech) -> list[str]:
+    """The rules in words; none before anything was shown."""
+    return [one.text for one in speech.rules(taught.summary)] if taught.shown else []
+
+
+def _new_rules(before: Taught, taught: Taught, speech: Speech) -> list[Output]:
+    """The rules that were not there before."""
+    known = _rules(before, speech)
+    new = [text for text in _rules(taught, speech) if text not in known]
+    return [Said(f"+ {text}", Tone.NEW) for text in new]
+
+
+def _understood(before: Taught, taught: Taught, speech: Speech) -> list[Output]:
+    """All that is understood, what is new marked, and what is not clear yet."""
+    known = _rules(before, speech)
+    outputs: list[Output] = [Said(speech.say(Key.UNDERSTOOD), Tone.HEADING)]
+    for text in _rules(taught, speech):
+        is_new = text not in known
+        outputs.append(
+            Said(f"{'+' if is_new else ' '} {text}", Tone.NEW if is_new else Tone.PLAIN)
+        )
+    gaps = speech.gaps(taught.summary)
+    if gaps:
+        outputs.append(Said(speech.say(Key.STILL_NARROW)))
+        outputs += [Said(f"  - {gap.text}", Tone.ASIDE) for gap in gaps[:MAX_GAPS]]
+        if len(gaps) > MAX_GAPS:
+            more = speech.say(Key.AND_MORE, count=len(gaps) - MAX_GAPS)
+            outputs.append(Said(f"  - {more}", Tone.ASIDE))
+    elif taught.summary.check is Check.SAME:
+        outputs.append(Said(speech.say(Key.ALL_CLEAR), Tone.GOOD))
+    return outputs

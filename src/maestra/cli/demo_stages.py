@@ -1,0 +1,153 @@
+"""The guided session's stages: what has been chosen, shown and played so far."""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from enum import Enum
+from functools import cached_property
+from random import Random
+from typing import Final, TypeAlias
+
+from maestra.core.board import Board
+from maestra.core.demonstration import Demonstration
+from maestra.core.state import Move, State
+from maestra.core.tokens import Deck
+from maestra.language.terminal import TerminalKey
+from maestra.learning.grounded import learn_grounded
+from maestra.learning.suspects import doubts
+from maestra.rules.judging import Judge
+from maestra.rules.paper import BOARD, LETTER_DECK, NUMBER_DECK, PAPER_EXERCISES
+from maestra.rules.right_plays import RightPlays
+from maestra.rules.summary import Summary, summarise
+
+
+class Tone(Enum):
+    """How a line is meant; a terminal with colours shows it."""
+
+    PLAIN = "plain"
+    HEADING = "heading"
+    GOOD = "good"
+    WRONG = "wrong"
+    NEW = "new"
+    ASIDE = "aside"
+
+
+@dataclass(frozen=True, slots=True)
+class Said:
+    """A line to say."""
+
+    text: str
+    tone: Tone = Tone.PLAIN
+
+
+@dataclass(frozen=True, slots=True)
+class Drawn:
+    """A board to draw."""
+
+    state: State
+    deck: Deck
+
+
+Output: TypeAlias = Said | Drawn
+Outputs: TypeAlias = tuple[Output, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Subject:
+    """An exercise that can be chosen."""
+
+    title: TerminalKey
+    deck: Deck
+    right: Callable[[], RightPlays] | None
+    """Its right plays, found when first asked for; None: only the user knows them."""
+    features: tuple[str, ...] | None = None
+    """Those that count; None: the defaults."""
+    board: Board = BOARD
+
+    def start(self, chance: Random) -> State:
+        """An arrangement from which the exercise can be played."""
+        if self.right is not None:
+            return self._any_right_play(chance).start
+        cells = chance.sample(self.board.storage_cells, len(self.deck.tokens))
+        ids = [token.id for token in self.deck.tokens]
+        return State(self.board, dict(zip(ids, cells, strict=True)))
+
+    def right_play(self, shown: tuple[Demonstration, ...], chance: Random) -> Demonstration:
+        """A right play, after `shown` the one that tells most."""
+        if self.right is not None and shown:
+            exercise = learn_grounded(shown, features=self.features)
+            telling = doubts(exercise, self.right()).next_demonstration
+            if telling is not None:
+                return telling
+        return self._any_right_play(chance)
+
+    def _any_right_play(self, chance: Random) -> Demonstration:
+        if self.right is None:
+            raise ValueError(self.title)
+        plays = self.right()
+        return plays.play(chance.randrange(plays.count))
+
+
+SUBJECTS: Final = (
+    *(
+        Subject(TerminalKey(key), exercise.plays().deck, exercise.plays, exercise.features)
+        for key, exercise in PAPER_EXERCISES.items()
+    ),
+    Subject(TerminalKey.OWN_NUMBERS, NUMBER_DECK, None),
+    Subject(TerminalKey.OWN_LETTERS, LETTER_DECK, None),
+)
+"""What can be chosen, in this order."""
+
+
+@dataclass(frozen=True, slots=True)
+class Choosing:
+    """An exercise is to be chosen."""
+
+
+@dataclass(frozen=True)
+class Taught:
+    """What was shown of a subject, and what follows from it."""
+
+    subject: Subject
+    shown: tuple[Demonstration, ...] = ()
+
+    @cached_property
+    def judge(self) -> Judge:
+        """Judges plays by what was shown, at least one play."""
+        exercise = learn_grounded(self.shown, features=self.subject.features)
+        return Judge(exercise, self.subject.deck)
+
+    @cached_property
+    def summary(self) -> Summary:
+        """Its rules."""
+        return summarise(self.judge.exercise)
+
+
+@dataclass(frozen=True, slots=True)
+class Teaching:
+    """The user shows how it goes."""
+
+    taught: Taught
+    start: State
+    moves: tuple[Move, ...] = ()
+
+    @property
+    def state(self) -> State:
+        """What lies where now."""
+        return Demonstration(self.taught.subject.deck, self.start, self.moves).end
+
+
+@dataclass(frozen=True, slots=True)
+class Playing:
+    """The user plays, and each move is judged."""
+
+    taught: Taught
+    state: State
+    made: int = 0
+
+
+@dataclass(frozen=True, slots=True)
+class Ended:
+    """The session is over."""
+
+
+Stage: TypeAlias = Choosing | Teaching | Playing | Ended
