@@ -49,7 +49,7 @@ _ON_PATH: Final = "downward"
 _SEARCH: Final = "lazy_greedy([ff()],preferred=[ff()])"
 _PLAN_FILE: Final = "plan"
 
-# driver/returncodes.py
+# From its driver/returncodes.py.
 _SOLVED: Final = 0
 _UNSOLVABLE: Final = 11
 _UNSOLVED_INCOMPLETE: Final = 12
