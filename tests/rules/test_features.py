@@ -33,6 +33,7 @@ from tests.strategies import decks
 
 Declared = Mapping[str, tuple[str, ...]]
 NOTHING: Declared = {}
+Pair = tuple[Value, Value]
 DAYS = ("Mon", "Tue", "Wed")
 
 
@@ -72,8 +73,7 @@ TOKEN_EXAMPLES: Sequence[tuple[str, Sequence[Value], Sequence[Value]]] = [
     ("is-red", ["red"], [19]),
 ]
 
-PAIR_EXAMPLES: Sequence[tuple[str, Sequence[tuple[Value, Value]], Sequence[tuple[Value, Value]]]]
-PAIR_EXAMPLES = [
+PAIR_EXAMPLES: Sequence[tuple[str, Sequence[Pair], Sequence[Pair]]] = [
     ("less-than", [(1, 2), (Decimal("1.5"), 2), (-2, 1)], [(2, 2), (2, 1)]),
     ("successor", [(1, 2), (-1, 0), (Decimal("1.5"), Decimal("2.5"))], [(1, 3), (2, 1), (1, 1)]),
     ("twice", [(2, 4), (Decimal("1.5"), 3), (0, 0)], [(4, 2), (2, 5)]),
@@ -116,7 +116,7 @@ def related(
 
 @pytest.mark.parametrize(("name", "having", "lacking"), PAIR_EXAMPLES)
 def test_a_feature_of_two_tokens_by_example(
-    name: str, having: Sequence[tuple[Value, Value]], lacking: Sequence[tuple[Value, Value]]
+    name: str, having: Sequence[Pair], lacking: Sequence[Pair]
 ) -> None:
     assert [pair for pair in having if not related(name, "x", *pair)] == []
     assert [pair for pair in lacking if related(name, "x", *pair)] == []

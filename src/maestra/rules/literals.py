@@ -77,7 +77,7 @@ def formula(literal: Literal, shown: Attributes) -> str:
 
 def _symbol(name: str, value: Value) -> str:
     if isinstance(value, str):
-        return value if name == LETTER or not value else value.replace(" ", "-")
+        return value if name == LETTER else value.replace(" ", "-")
     return f"v{value}" if name == "value" else f"{name}{value}"
 
 
