@@ -13,13 +13,21 @@ import statistics
 from collections.abc import Callable
 from dataclasses import dataclass
 from functools import cache
-from typing import Final, TypeVar
+from typing import Final, TypeVar, assert_never
 
 from maestra.app import PLANNER_NAMES, planner_named
 from maestra.language import Language, explain_action, gap_sentences, rule_sentences
 from maestra.learning.compiled_learner import CompiledLesson, learn_compiled
 from maestra.learning.grounded import learn_grounded
-from maestra.learning.planning import Limits
+from maestra.learning.planning import (
+    Limits,
+    NoEngine,
+    OutOfMemory,
+    OutOfTime,
+    ProvenUnsolvable,
+    Unsolved,
+    Unsupported,
+)
 from maestra.learning.teaching_sets import TeachingSet, teaching_set
 from maestra.rules.exercise import GroundedExercise
 from maestra.rules.ground_truth import ground_truth
@@ -97,7 +105,23 @@ def _learn(exercise: str, learner: str) -> GroundedExercise | str:
         return learn_grounded(shown, features=features)
     planner = planner_named(learner.removeprefix("compiled, "))
     lesson = learn_compiled(shown, planner, LIMITS, features=features)
-    return lesson.exercise if isinstance(lesson, CompiledLesson) else type(lesson).__name__
+    return lesson.exercise if isinstance(lesson, CompiledLesson) else _why(lesson)
+
+
+def _why(unsolved: Unsolved) -> str:
+    match unsolved:
+        case NoEngine():
+            return "no engine"
+        case OutOfTime():
+            return "out of time"
+        case OutOfMemory():
+            return "out of memory"
+        case Unsupported():
+            return "unsupported"
+        case ProvenUnsolvable():
+            return "unsolvable"
+        case _:
+            assert_never(unsolved)
 
 
 def _row(
