@@ -146,6 +146,7 @@ class Key(Enum):
     # why a move was refused
     NOT_SO = "not-so"
     WRONG_PLACE = "wrong-place"
+    NEXT_PLACE = "next-place"
     WRONG_COLUMN = "wrong-column"
     WRONG_ORIGIN = "wrong-origin"
     WRONG_ORIGIN_ROW = "wrong-origin-row"

@@ -98,7 +98,9 @@ def needed(literals: Sequence[Literal]) -> tuple[Literal, ...]:
     """The literals without those that every exercise has or that follow from another."""
     placed = {one.feature.name for one in literals if isinstance(one, Placed)}
     implied = {"from-storage"} | ({"to-goal-row"} if "destination" in placed else set())
-    kept = (one for one in literals if not (isinstance(one, Placed) and one.feature.name in implied))
+    kept = (
+        one for one in literals if not (isinstance(one, Placed) and one.feature.name in implied)
+    )
     return tuple(sorted(kept, key=_rank))
 
 
@@ -107,5 +109,3 @@ def _rank(literal: Literal) -> int:
     if not isinstance(literal, Placed):
         return 2
     return 0 if literal.feature.name.startswith("destination") else 1
-
-

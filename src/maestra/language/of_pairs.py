@@ -57,9 +57,7 @@ class Two:
         attribute = feature.attribute
         match feature.name:
             case "less-than" | "before":
-                return self._compares(
-                    attribute, Comparison.MORE if converse else Comparison.LESS
-                )
+                return self._compares(attribute, Comparison.MORE if converse else Comparison.LESS)
             case "same":
                 return self._compares(attribute, Comparison.EQUAL)
             case "different":

@@ -6,8 +6,7 @@ from dataclasses import dataclass
 from types import MappingProxyType
 from typing import Final, assert_never
 
-from maestra.core.board import Board
-from maestra.core.tokens import Deck
+from maestra.core.board import Board, Cell, Column, Row
 from maestra.language.keys import Key, Predicate
 from maestra.language.of_pairs import Two
 from maestra.language.of_tokens import Tokens, board_row
@@ -31,7 +30,6 @@ from maestra.language.phrases import (
     does,
     say,
 )
-from maestra.core.board import Cell, Column, Row
 from maestra.rules.forms.base import LAST, MIDDLE, Direction, Position
 from maestra.rules.forms.conditions import At, IfThen
 from maestra.rules.forms.context import Cue, ModelRow, Reading
@@ -170,7 +168,7 @@ class Rules:
             case CompareCounts():
                 return self._compares_counts(rule)
             case Kinds(attribute, comparison, number):
-                amount = _amount(comparison, Count(number))
+                amount = _amount(comparison, Numeral(number))
                 return say(Key.KINDS, amount=amount, attribute=AttributeNamed(attribute))
             case Total(attribute, comparison, number):
                 return say(

@@ -53,6 +53,7 @@ _PLAIN: Final = MappingProxyType(
     }
 )
 
+
 @dataclass(frozen=True, slots=True)
 class Tokens:
     """Says things of the tokens of one deck on one board."""
@@ -174,7 +175,9 @@ class Tokens:
             Predicate.AMONG_MOST if highest else Predicate.AMONG_LEAST,
             subject,
             count=Count(number),
-            adjective=Adjective(test.attribute, Degree.MOST if highest else Degree.LEAST),
+            adjective=Adjective(
+                test.attribute, Degree.MOST if highest else Degree.LEAST, many=True
+            ),
             attribute=AttributeNamed(test.attribute),
         )
 

@@ -12,7 +12,7 @@ from types import MappingProxyType
 from typing import Final, assert_never
 
 from maestra.core.board import Cell
-from maestra.core.tokens import Attributes, Deck
+from maestra.core.tokens import Deck
 from maestra.language.keys import Key
 from maestra.language.of_pairs import Two
 from maestra.language.of_rules import Rules, relation_of
@@ -131,7 +131,7 @@ class Reasons:
     def _of_order(self, rule: FillOrder) -> Say:
         play = Play.begin(Setting(self.deck, self.judged.before))
         cell = self.summary.board.goal_cells[rule.next_cells(play)[0]]
-        return say(Key.WRONG_PLACE, token=self._moved, place=Place(cell))
+        return say(Key.NEXT_PLACE, place=Place(cell))
 
     def _of_neighbours(self, rule: Ordered | EachPair) -> Iterator[Say]:
         """Of the wrong pairs with the moved token in them the closest, seen from its right one."""
@@ -221,7 +221,9 @@ class Reasons:
                     (self._moved, place),
                     (say(Key.IT), say(Key.WHAT_LIES_THERE, place=Place(cell))),
                 ):
-                    yield _not_so(Two(self._tokens, subject, other).has(feature, converse=converse))
+                    yield _not_so(
+                        Two(self._tokens, subject, other).has(feature, converse=converse)
+                    )
             case _:
                 assert_never(literal)
 

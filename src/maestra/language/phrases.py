@@ -117,6 +117,8 @@ class Adjective:
 
     attribute: str
     degree: Degree
+    many: bool = False
+    """Said of several tokens, whatever the subject is."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -5,13 +5,13 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from maestra.core.tokens import Deck
+from maestra.language.keys import Key
 from maestra.language.languages import Language, speaker_for
 from maestra.language.lexicon import NO_LEXICON, Lexicon
 from maestra.language.of_literals import Conditions, needed
 from maestra.language.of_summary import check_of, gaps_of, rules_of
 from maestra.language.of_tokens import Tokens
 from maestra.language.of_verdicts import MAX_WORDS, Reasons
-from maestra.language.keys import Key
 from maestra.language.phrases import Named, Nth, say
 from maestra.rules.judging import Allowed, JudgedMove, PutBack
 from maestra.rules.strips import Action, ActionModel

@@ -146,10 +146,11 @@ class Speaker:
         forms = {
             "must": f"{verb.must_not if negated else verb.must} {rest}",
             "does": f"{verb.does_not if negated else verb.does} {rest}",
-            "does_not": f"{verb.does if negated else verb.does_not} {rest}",
+            "that": f"{verb.that_not if negated else verb.that} {rest}",
             "do": f"{verb.do_not if negated else verb.do} {of_many}",
         }
-        clause = f"{subject.text} {forms['does']}"
+        # A language may leave the pronoun out.
+        clause = f"{subject.text} {forms['does']}".lstrip()
         return Spoken(forms["does"], {**forms, "clause": clause})
 
     def _agreeing(self, parts: Mapping[str, Phrase], subject: Spoken) -> dict[str, Spoken]:
@@ -170,7 +171,7 @@ class Speaker:
         members = [self.spoken(each) for each in several.of]
         forms = {
             name: self.grammar.join([each.forms[name] for each in members], several.joint)
-            for name in ("must", "does", "do")
+            for name in ("must", "does", "that", "do")
         }
         return Spoken(forms["does"], forms)
 
@@ -194,9 +195,7 @@ class Speaker:
         words = self._attribute(attribute)
         alone = all(len(token.attributes) == 1 for token in self.deck.tokens)
         if not alone or words.things is None:
-            return replace(
-                self.grammar.token, text=self.grammar.token.forms["plural"], many=True
-            )
+            return replace(self.grammar.token, text=self.grammar.token.forms["plural"], many=True)
         return Spoken(words.things, gender=words.gender, many=True)
 
     def _sayable(self, predicate: Predicate, parts: Mapping[str, Phrase]) -> Predicate:
@@ -224,6 +223,8 @@ class Speaker:
 
     def _adjective(self, adjective: Adjective, subject: Spoken) -> Spoken:
         word = self._degree(adjective) or ""
+        if adjective.many:
+            return Spoken(inflect(word, self.grammar.token.gender, many=True))
         return Spoken(inflect(word, subject.gender, many=subject.many))
 
     def _attribute(self, attribute: str) -> AttributeWords:

@@ -49,12 +49,14 @@ class AttributeWords:
 
 @dataclass(frozen=True, slots=True)
 class VerbForms:
-    """A verb as sentences need it; "it is", "they are"."""
+    """A verb as sentences need it: it must be, it is, one that is, those that are; and not."""
 
     must: str
     must_not: str
     does: str
     does_not: str
+    that: str
+    that_not: str
     do: str
     do_not: str
 
@@ -63,9 +65,7 @@ class VerbForms:
 class OwnWords:
     """Words for what decks are made of, that a caregiver can add to."""
 
-    attributes: Mapping[str, AttributeWords] = field(
-        default_factory=dict[str, AttributeWords]
-    )
+    attributes: Mapping[str, AttributeWords] = field(default_factory=dict[str, AttributeWords])
     values: Mapping[tuple[str, str], str] = field(default_factory=dict[tuple[str, str], str])
     """Attribute and value to its word; forms divided by bars: m|f or m|f|m plural|f plural."""
     relations: Mapping[tuple[str, Predicate], tuple[str, str]] = field(
@@ -154,8 +154,5 @@ class Grammar(Protocol):
 def inflect(word: str, gender: Gender, *, many: bool = False) -> str:
     """The form of `word` for a gender and number: ``m|f`` or ``m|f|mm|ff``; one form serves all."""
     forms = word.split("|")
-    if len(forms) == 1:
-        return word
     wanted = (gender is Gender.FEMININE) + 2 * many
     return forms[wanted % len(forms)]
-

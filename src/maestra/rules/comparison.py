@@ -144,9 +144,7 @@ class _Comparison:
             return demand
         raise TooManyRowsError
 
-    def _false_of_users(
-        self, move: _RightMove, users: tuple[Index, ...], demand: Bits
-    ) -> Bits:
+    def _false_of_users(self, move: _RightMove, users: tuple[Index, ...], demand: Bits) -> Bits:
         """As `_false_on`, of a storage cell from which the token of one of `users` surely comes."""
         lying = 0
         for user in users:

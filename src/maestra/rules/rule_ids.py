@@ -53,7 +53,7 @@ def _rule_id(rule: Rule) -> str:
             return _kebab(name, attribute, "" if line is Line.ROW else "in-time")
         case EveryToken(Has(TokenFeature(name, attribute))):
             if attribute == ORIGIN_ROW:
-                return _kebab("from-row", name.removeprefix("is-"))
+                return _kebab("from-storage-row", name.removeprefix("is-"))
             return _kebab("only", name, attribute)
         case EveryToken(Not(Has(TokenFeature(name, attribute)))):
             return _kebab("no", name, attribute)
@@ -81,4 +81,6 @@ def _leaves(written: object) -> Iterator[str]:
 
 
 def _kebab(*words: str) -> str:
-    return "-".join(filter(None, (_NOT_IN_NAMES.sub("-", word.lower()).strip("-") for word in words)))
+    return "-".join(
+        filter(None, (_NOT_IN_NAMES.sub("-", word.lower()).strip("-") for word in words))
+    )

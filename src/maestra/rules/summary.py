@@ -254,7 +254,9 @@ class _Draft:
         related = [chosen.before for chosen in self.neighbours if chosen.before is not None]
         if not related:
             return None
-        return tuple(functools.reduce(operator.and_, masks) for masks in zip(*related, strict=True))
+        return tuple(
+            functools.reduce(operator.and_, masks) for masks in zip(*related, strict=True)
+        )
 
     @cached_property
     def _wider(self) -> Wider | None:

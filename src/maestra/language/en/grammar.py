@@ -10,14 +10,51 @@ from maestra.language.phrases import Joint
 from maestra.language.templates import Spoken
 from maestra.language.tongue import AttributeWords
 
-_NTH: Final = (
-    "first second third fourth fifth sixth seventh eighth ninth tenth eleventh twelfth "
-    "thirteenth fourteenth fifteenth sixteenth seventeenth eighteenth nineteenth twentieth"
-).split()
-_COUNTS: Final = "one two three four five six seven eight nine ten eleven twelve".split()
+_NTH: Final = [
+    "first",
+    "second",
+    "third",
+    "fourth",
+    "fifth",
+    "sixth",
+    "seventh",
+    "eighth",
+    "ninth",
+    "tenth",
+    "eleventh",
+    "twelfth",
+    "thirteenth",
+    "fourteenth",
+    "fifteenth",
+    "sixteenth",
+    "seventeenth",
+    "eighteenth",
+    "nineteenth",
+    "twentieth",
+]
+_COUNTS: Final = [
+    "one",
+    "two",
+    "three",
+    "four",
+    "five",
+    "six",
+    "seven",
+    "eight",
+    "nine",
+    "ten",
+    "eleven",
+    "twelve",
+]
 _TEENS: Final = range(11, 14)
 _ENDINGS: Final = {1: "st", 2: "nd", 3: "rd"}
-_WORDS_OF: Final = {Joint.AND: " and ", Joint.OR: " or ", Joint.COMMA: ", ", Joint.PLUS: " plus ", Joint.TIMES: " times "}
+_WORDS_OF: Final = {
+    Joint.AND: " and ",
+    Joint.OR: " or ",
+    Joint.COMMA: ", ",
+    Joint.PLUS: " plus ",
+    Joint.TIMES: " times ",
+}
 
 
 class English:
@@ -34,10 +71,14 @@ class English:
         return word.join([", ".join(others), last] if others else [last])
 
     def derive(self, spoken: Spoken, form: str) -> str:
-        """The forms are `capital` and those the phrase brings."""
+        """The forms are `capital`, `bare` and those the phrase brings."""
         if form == "capital":
             return spoken.text[:1].upper() + spoken.text[1:]
-        return spoken.forms[form] if form else spoken.text
+        if form in spoken.forms:
+            return spoken.forms[form]
+        if form not in {"", "bare"}:
+            raise KeyError(form)
+        return spoken.text
 
     def nth(self, number: int) -> Spoken:
         """``first`` to ``twentieth``, then in digits."""

@@ -30,9 +30,9 @@ _SENTENCES: Final = {
     Key.USE_ALL: "Use all {kind}.",
     Key.USE_ALL_TOKENS: "Use all the tokens.",
     Key.USE_ALL_THAT: "Use all tokens that {does:do}.",
-    Key.HAS_ONE_THAT: "The row must have {amount} token that {does}.",
+    Key.HAS_ONE_THAT: "The row must have {amount} token that {does:that}.",
     Key.HAS_MANY_THAT: "The row must have {amount} tokens that {does:do}.",
-    Key.ROW_HAS_ONE_THAT: "the row has {amount} token that {does}",
+    Key.ROW_HAS_ONE_THAT: "the row has {amount} token that {does:that}",
     Key.ROW_HAS_MANY_THAT: "the row has {amount} tokens that {does:do}",
     Key.PLACE_SO_MANY: "Place {amount} [count#token|tokens].",
     Key.HAS_MORE_THAN: (
@@ -53,7 +53,7 @@ _SENTENCES: Final = {
     Key.HAS_NOT_AS_MANY_AS: (
         "The row must not have as many tokens that {first:do} as tokens that {second:do}."
     ),
-    Key.KINDS: "The tokens of the row must show {amount} different {attribute:plural}.",
+    Key.KINDS: "The number of different {attribute:plural} in the row must be {amount}.",
     Key.TOTAL: "The {attribute:plural} of the row must make {amount} together.",
     Key.EQUATION: "By {attribute}, {left} must make {right}.",
     Key.WORD: "The letters must make a word of the list.",
@@ -100,10 +100,10 @@ _SENTENCES: Final = {
     Key.SUBJECT_DOES: "{does:clause}",
     Key.ALL_BEFORE: "Place all tokens that {first:do} before any that {second:do}.",
     Key.ALL_LEFT_OF: "All tokens that {first:do} must be left of all that {second:do}.",
-    Key.NEXT_AFTER: "After a token that {first}, place next one that {second}.",
-    Key.LATER_AFTER: "After a token that {first}, place later one that {second}.",
-    Key.NEXT_RIGHT_OF: "Right beside a token that {first}, put one that {second}.",
-    Key.LATER_RIGHT_OF: "To the right of a token that {first}, put one that {second}.",
+    Key.NEXT_AFTER: "After a token that {first:that}, place next one that {second:that}.",
+    Key.LATER_AFTER: "After a token that {first:that}, place later one that {second:that}.",
+    Key.NEXT_RIGHT_OF: "Right beside a token that {first:that}, put one that {second:that}.",
+    Key.LATER_RIGHT_OF: "To the right of a token that {first:that}, put one that {second:that}.",
     Key.MODEL_COPIED: (
         "{row:capital} is the model and stays: each token {does:must}, column by column."
     ),
@@ -156,6 +156,7 @@ _SENTENCES: Final = {
     Key.LIES_THERE: "{token} is in {place}",
     Key.NOT_SO: "{does:clause}.",
     Key.WRONG_PLACE: "{token} goes to {place}.",
+    Key.NEXT_PLACE: "The next token goes to {place}.",
     Key.WRONG_COLUMN: "{token} goes to column {column}.",
     Key.WRONG_ORIGIN: "So far {token} has come from {place}.",
     Key.WRONG_ORIGIN_ROW: "The tokens come from {row}.",
@@ -245,19 +246,40 @@ _KINDS: Final = {
     Predicate.DIGITS: "{things} with {k} [k#digit|digits]",
     Predicate.ABOVE: "{things} above {k}",
     Predicate.BELOW: "{things} below {k}",
-    Predicate.IS: "{value} tokens",
+    Predicate.IS: "{value:bare} tokens",
+    Predicate.HAS_ABOVE: "tokens with a {attribute} above {k}",
+    Predicate.HAS_BELOW: "tokens with a {attribute} below {k}",
     Predicate.SHOWS: "tokens with the {attribute} {value}",
 }
 
+
+def _verb(base: str, third: str) -> VerbForms:
+    return VerbForms(
+        must=f"must {base}",
+        must_not=f"must not {base}",
+        does=third,
+        does_not=f"does not {base}",
+        that=third,
+        that_not=f"does not {base}",
+        do=base,
+        do_not=f"do not {base}",
+    )
+
+
 _VERBS: Final = {
-    "be": VerbForms("must be", "must not be", "is", "is not", "are", "are not"),
-    "have": VerbForms("must have", "must not have", "has", "does not have", "have", "do not have"),
-    "come": VerbForms(
-        "must come", "must not come", "comes", "does not come", "come", "do not come"
+    "be": VerbForms(
+        must="must be",
+        must_not="must not be",
+        does="is",
+        does_not="is not",
+        that="is",
+        that_not="is not",
+        do="are",
+        do_not="are not",
     ),
-    "make": VerbForms(
-        "must make", "must not make", "makes", "does not make", "make", "do not make"
-    ),
+    "have": _verb("have", "has"),
+    "come": _verb("come", "comes"),
+    "make": _verb("make", "makes"),
 }
 
 _NUMBER: Final = AttributeWords(
