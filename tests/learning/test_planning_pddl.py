@@ -33,13 +33,14 @@ def test_safe_names_are_pddl_and_tell_everything_apart(names: list[str], taken: 
 
 
 def test_names_that_are_pddl_already_stay_and_others_stay_readable() -> None:
-    names = ["move-v19-t1", "to = l11", "To: L11", "and", "19", "∃"]
+    names = ["move-v19-t1", "to = l11", "To: L11", "and", "19", "∃", "→"]
     assert list(safe_names(names).values()) == [
         "move-v19-t1",
         "to-l11",
         "to-l11-2",
         "and-2",
         "x-19",
+        "exists-2",
         "x",
     ]
 
@@ -112,7 +113,7 @@ def test_a_deletion_task_is_readable() -> None:
     move, literal = ActionName("move-v19-t1"), LiteralName("to = l11")
     kept = LiteralName("∃v' (contains(l12, v') ∧ less-than(v', v19))")
     shown = (Transition(move, frozenset({literal})), Transition(move, frozenset()))
-    text = compiled_pddl(DeletionTask({move: frozenset({literal, kept})}, (shown,)))
+    text = compiled_pddl(DeletionTask({move: frozenset({kept, literal})}, (shown,)))
     assert text.domain == (
         """\
 (define (domain compiled)
@@ -125,7 +126,7 @@ def test_a_deletion_task_is_readable() -> None:
   (:constants
     move-v19-t1 - action-model  ; move-v19-t1
     to-l11 - literal  ; to = l11
-    v-contains-l12-v-less-than-v-v19 - literal  ; ∃v' (contains(l12, v') ∧ less-than(v', v19))
+    exists-v-contains-l12-v-and-less-than-v-v19 - literal  ; ∃v' (contains(l12, v') ∧ less-than(v', v19))
     d1-m1 - move
     d1-m2 - move
   )
@@ -159,7 +160,7 @@ def test_a_deletion_task_is_readable() -> None:
   (:domain compiled)
   (:init
     (holds-at-first move-v19-t1 to-l11)
-    (holds-at-first move-v19-t1 v-contains-l12-v-less-than-v-v19)
+    (holds-at-first move-v19-t1 exists-v-contains-l12-v-and-less-than-v-v19)
   )
   (:goal (and
       (validated d1-m2)))

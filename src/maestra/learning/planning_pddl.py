@@ -63,7 +63,8 @@ def safe_names(names: Iterable[_Name], *, taken: Iterable[str] = ()) -> dict[_Na
     for name in names:
         if name in safe:
             continue
-        slug = re.sub(r"[^a-z0-9_-]+", "-", name.lower()).strip("-") or "x"
+        words = name.lower().replace("∃", "exists ").replace("∧", "and")
+        slug = re.sub(r"[^a-z0-9_-]+", "-", words).strip("-") or "x"
         slug = slug if slug[0].isalpha() else f"x-{slug}"
         candidate, number = slug, 1
         while candidate in used:
