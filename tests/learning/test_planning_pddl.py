@@ -111,7 +111,7 @@ def test_a_deletion_task_reads_back_from_pddl_as_it_is(
 
 def test_a_deletion_task_is_readable() -> None:
     move, literal = ActionName("move-v19-t1"), LiteralName("to = l11")
-    kept = LiteralName("∃v' (contains(l12, v') ∧ less-than(v', v19))")
+    kept = LiteralName("∃v' (contains(l12, v') ∧ less(v', v19))")
     shown = (Transition(move, frozenset({literal})), Transition(move, frozenset()))
     text = compiled_pddl(DeletionTask({move: frozenset({kept, literal})}, (shown,)))
     assert text.domain == (
@@ -126,7 +126,7 @@ def test_a_deletion_task_is_readable() -> None:
   (:constants
     move-v19-t1 - action-model  ; move-v19-t1
     to-l11 - literal  ; to = l11
-    exists-v-contains-l12-v-and-less-than-v-v19 - literal  ; ∃v' (contains(l12, v') ∧ less-than(v', v19))
+    exists-v-contains-l12-v-and-less-v-v19 - literal  ; ∃v' (contains(l12, v') ∧ less(v', v19))
     d1-m1 - move
     d1-m2 - move
   )
@@ -160,7 +160,7 @@ def test_a_deletion_task_is_readable() -> None:
   (:domain compiled)
   (:init
     (holds-at-first move-v19-t1 to-l11)
-    (holds-at-first move-v19-t1 exists-v-contains-l12-v-and-less-than-v-v19)
+    (holds-at-first move-v19-t1 exists-v-contains-l12-v-and-less-v-v19)
   )
   (:goal (and
       (validated d1-m2)))
