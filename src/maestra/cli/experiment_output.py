@@ -1,0 +1,67 @@
+"""What `maestra experiment` prints for people."""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Collection, Iterable, Sequence
+from typing import Final
+
+from rich.console import Console
+from rich.table import Table
+
+from maestra.experiments.curve import Choice, CurvePoint, CurveSettings
+from maestra.experiments.table import TableRow
+
+PIPED_WIDTH: Final = 200
+"""Characters in a line that nobody sees on a screen."""
+
+
+def print_table(rows: Iterable[TableRow]) -> None:
+    """The six exercises, a line for each learner."""
+    table = Table("exercise", "learner", "result", box=None, pad_edge=False)
+    for title in ("fewest", "paper", "learn s", "explain s"):
+        table.add_column(title, justify="right")
+    before = ""
+    for row in rows:
+        proven = row.demonstrations == row.lower_bound
+        table.add_row(
+            row.exercise if row.exercise != before else "",
+            row.learner,
+            row.outcome,
+            f"{row.demonstrations}" if proven else f"{row.lower_bound}-{row.demonstrations}",
+            f"{row.fewest_in_paper}",
+            _seconds(row.learn_s),
+            _seconds(row.explain_s),
+        )
+        before = row.exercise
+    _print(table)
+
+
+def print_curve(
+    settings: CurveSettings, points: Sequence[CurvePoint], shown_at: Collection[int]
+) -> None:
+    """The curves after the numbers in `shown_at`, and at their ends."""
+    title = f"{settings.paper_exercise.title}, vocabulary {settings.level.value}"
+    table = Table("demonstrations", title=title, title_justify="left", box=None, pad_edge=False)
+    for heading in ("runs", "mean %", "deviation", "10 %", "90 %"):
+        table.add_column(heading, justify="right")
+    for choice in Choice:
+        mine = [point for point in points if point.choice == choice]
+        for point in mine:
+            if point.demonstrations in shown_at or point is mine[-1]:
+                table.add_row(
+                    f"{point.demonstrations} {choice.value}",
+                    f"{point.runs}",
+                    *(f"{v:.1f}" for v in (point.mean, point.deviation, point.low, point.high)),
+                )
+    _print(table)
+
+
+def _print(table: Table) -> None:
+    # A pipe has no width of its own: nothing may be cut there.
+    width = None if sys.stdout.isatty() else PIPED_WIDTH
+    Console(width=width).print(table)
+
+
+def _seconds(value: float | None) -> str:
+    return "" if value is None else f"{value:.4f}"
