@@ -1,10 +1,12 @@
 #!/usr/bin/env bash
-# Build the wheel, install it into an empty environment, and use it there, far from the source.
+# Build the wheel, install it into an empty environment, and do the main job there, far from the
+# source: learn from demonstrations, say the rules, judge plays.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 tools=$PWD/.venv/bin
 source_version=$("$tools/python" -c 'import maestra; print(maestra.__version__)')
 
+examples=$PWD/examples
 room=$(mktemp -d)
 trap 'rm -rf "$room"' EXIT
 
@@ -34,4 +36,31 @@ for name in names:
     if not name.endswith(".__main__"):
         importlib.import_module(name)
 print(f"version {maestra.__version__}, {len(names)} modules load")
+PYTHON
+
+maestra=$room/env/bin/maestra
+
+expect() { # expect TEXT WORDS...: what was printed holds the text
+    local text=$1
+    shift
+    [[ $* == *"$text"* ]] || { printf 'expected %q in: %s\n' "$text" "$*" >&2; exit 1; }
+}
+
+expect "maestra $source_version" "$("$maestra" --version)"
+"$maestra" learn "$examples/ascending.jsonl" --learner grounded -o exercise.json
+expect "larger" "$("$maestra" explain exercise.json --lang en)"
+# Exit 1, for the first play is right and the second is not.
+status=0
+"$maestra" judge exercise.json --json <(head -n 2 "$examples/plays/ascending.jsonl") >verdicts.jsonl || status=$?
+[[ $status -eq 1 ]] || { echo "judge ended with $status instead of 1" >&2; exit 1; }
+"$room/env/bin/python" - <<'PYTHON'
+import json
+from pathlib import Path
+
+right, wrong = map(json.loads, Path("verdicts.jsonl").read_text(encoding="utf-8").splitlines())
+assert right["complete"], right
+assert [move["verdict"] for move in right["moves"]] == ["allowed"] * 5, right
+refused = [move for move in wrong["moves"] if move["verdict"] == "refused"]
+assert len(refused) == 1, wrong
+print("refused:", refused[0]["reason"])
 PYTHON
