@@ -131,13 +131,13 @@ def learn(
     json: Json = False,
 ) -> None:
     """Learn an exercise from demonstrations."""
-    from maestra.cli import learning
-
     if learner is Learner.GROUNDED and (engine is not None or compiled_pddl is not None):
         option = "--compiled-pddl" if engine is None else "--engine"
         raise typer.BadParameter(f"{option} needs --learner compiled")
     if json and output == "-":
         raise typer.BadParameter("--json and --output - both want standard output")
+    from maestra.cli import learning
+
     planning = None
     if learner is Learner.COMPILED:
         name = (engine or Engine.CLINGO).value

@@ -139,5 +139,5 @@ def _check_features(shown: Shown, features: Sequence[str] | None) -> None:
     try:
         select_features(shown.deck, features)
     except UnknownFeatureError as error:
-        faults = [replace(one, where=f"--features {one.where}") for one in error.faults]
+        faults = [replace(one, where=f"--features {one.where}".rstrip()) for one in error.faults]
         raise InvalidError(faults) from None

@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from typing import Final
 
 from maestra.cli.drawing import board_lines, label
+from maestra.cli.streams import STANDARD
 from maestra.core.demonstration import Demonstration
 from maestra.core.formats import encode_demonstration
 from maestra.language import (
@@ -109,7 +110,8 @@ class Lesson:
             demonstrations=self.exercise.demonstrations,
             actions=len(self.exercise.provenance),
         )
-        yield f"{learned} {speech.say(TerminalKey.WRITTEN, file=file)}"
+        saved = "" if file == STANDARD else f" {speech.say(TerminalKey.WRITTEN, file=file)}"
+        yield f"{learned}{saved}"
 
 
 def next_to_show(

@@ -10,6 +10,7 @@ from typing import Final, NoReturn
 import typer
 
 from maestra.cli.commands import app
+from maestra.cli.streams import STANDARD_OUTPUT
 from maestra.cli.terms import BAD_INPUT, FAULT_OF_OURS, INTERRUPTED, PIPE_CLOSED
 
 TRACEBACK_VARIABLE: Final = "MAESTRA_TRACEBACK"
@@ -106,7 +107,7 @@ def _flush(code: int) -> int:
     except BrokenPipeError:
         code = PIPE_CLOSED
     except OSError as error:
-        error.filename = "standard output"
+        error.filename = STANDARD_OUTPUT
         code = _refuse(describe(error))
     else:
         return code

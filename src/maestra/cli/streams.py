@@ -16,7 +16,8 @@ from typing import IO, Final, TypeAlias, cast
 STANDARD: Final = "-"
 """The name of standard input or output on the command line."""
 STANDARD_INPUT: Final = "standard input"
-"""Its name in messages."""
+STANDARD_OUTPUT: Final = "standard output"
+"""Their names in messages."""
 CHUNK_BYTES: Final = 2**16
 """Read at a time: what a pipe holds on Linux."""
 MAX_EXERCISE_BYTES: Final = 2**28
@@ -109,12 +110,20 @@ def print_json(value: object) -> None:
     """`value` as one line of JSON on standard output, where a reader finds it at once."""
     readable = sys.stdout.encoding.lower().replace("-", "") == "utf8"
     print_lines([json.dumps(value, ensure_ascii=not readable)])
-    sys.stdout.flush()
 
 
 def print_lines(lines: Iterable[str]) -> None:
-    """Lines on standard output."""
-    sys.stdout.writelines(f"{line}\n" for line in lines)
+    """Lines on standard output, where a reader finds them at once.
+
+    Raises:
+        OSError: nobody reads, or there is no room; with the name of standard output.
+    """
+    try:
+        sys.stdout.writelines(f"{line}\n" for line in lines)
+        sys.stdout.flush()
+    except OSError as error:
+        error.filename = STANDARD_OUTPUT
+        raise
 
 
 @contextlib.contextmanager
