@@ -13,6 +13,7 @@ from maestra.rules.strips import Action
 if TYPE_CHECKING:
     from collections.abc import Iterator, Sequence
 
+    from maestra.core.board import Board
     from maestra.core.state import State
     from maestra.core.tokens import Deck, TokenId
     from maestra.rules.exercise import GroundedExercise
@@ -177,6 +178,9 @@ class Judge:
     def _check_board(self, state: State) -> None:
         board = self.exercise.model.vocabulary.board
         if state.board != board:
-            found = f"{state.board.rows} x {state.board.columns}"
-            expected = f"the exercise's, {board.rows} x {board.columns}, goal row {board.goal_row}"
-            raise InvalidError([Fault("board", found, expected)])
+            expected = f"the exercise's, {_describe(board)}"
+            raise InvalidError([Fault("board", _describe(state.board), expected)])
+
+
+def _describe(board: Board) -> str:
+    return f"{board.rows} x {board.columns}, goal row {board.goal_row}"
