@@ -6,7 +6,7 @@ Each says the file, the line, the field, what is there and what was expected.
 import json
 import tracemalloc
 from collections.abc import Iterable, Iterator
-from typing import Any
+from typing import cast
 
 import pytest
 from hypothesis import given
@@ -14,6 +14,7 @@ from hypothesis import strategies as st
 
 from maestra.core.demonstration import MAX_MOVES
 from maestra.core.formats import read_demonstrations
+from maestra.core.json_faults import MAX_FAULTS
 from maestra.core.json_lines import MAX_LINE_BYTES, FormatError
 from tests.core.bad_lines import GOOD, LINE, WRONG_PLAY, WRONG_SHAPE, Path, changed
 
@@ -146,8 +147,33 @@ def test_a_file_wrong_throughout_gives_a_short_line() -> None:
 def test_more_moves_than_a_working_day_has_are_refused() -> None:
     moves = [{"token": "04A3B2", "origin": [2, 1], "destination": [1, 1]}] * (MAX_MOVES + 1)
     assert refusal(changed((("moves",), moves))) == (
-        "demos.jsonl, line 1: moves: more than 10000, expected at most 10000"
+        'demos.jsonl, line 1: moves: [{"token": "04A3B2", "origin": [2, 1], '
+        '"destination": [1,..., '
+        "expected at most 10000 entries"
     )
+
+
+@pytest.mark.parametrize(
+    ("field", "value", "faults"),
+    [
+        ("lexicon", [1] * 1_500_000, 1),
+        ("lexicon", [1] * 900_000, 1),
+        ("start", {str(index): 1 for index in range(100_000)}, 1),
+        ("tokens", {str(index): 1 for index in range(100_000)}, 1),
+        ("moves", [1] * 1_000_000, 1),
+        ("times_ms", ["x"] * 100_000, 1),
+        ("orders", {"a": [1] * 9_000, "b": [1] * 1_000_000}, 2),
+        ("relations", {"a": [1] * 9_000, "b": [1] * 1_000_000}, 2),
+        ("moves", [1] * 9_999, 9_999),
+        ("orders", {str(index): 1 for index in range(100_000)}, MAX_FAULTS),
+    ],
+)
+def test_a_million_wrong_entries_are_not_a_million_faults(
+    field: str, value: object, faults: int
+) -> None:
+    with pytest.raises(FormatError) as caught:
+        list(read_demonstrations([changed(((field,), value))], "demos.jsonl"))
+    assert len(caught.value.faults) == faults
 
 
 def test_a_name_with_a_line_end_cannot_break_the_line() -> None:
@@ -155,14 +181,16 @@ def test_a_name_with_a_line_end_cannot_break_the_line() -> None:
     assert said.startswith(r"demos.jsonl, line 1: a\nb\u2028c: unknown field, expected one of ")
 
 
-def paths(fields: Any, at: Path = ()) -> Iterator[Path]:
+def paths(fields: object, at: Path = ()) -> Iterator[Path]:
     """The place of everything within a line."""
-    steps: Any = ()
-    if isinstance(fields, dict | list):
-        steps = fields if isinstance(fields, dict) else range(len(fields))
-    for step in steps:
+    steps: dict[str | int, object] = {}
+    if isinstance(fields, dict):
+        steps = cast("dict[str | int, object]", fields)
+    elif isinstance(fields, list):
+        steps = dict(enumerate(cast("list[object]", fields)))
+    for step, value in steps.items():
         yield (*at, step)
-        yield from paths(fields[step], (*at, step))
+        yield from paths(value, (*at, step))
 
 
 ANY_JSON = st.recursive(

@@ -9,14 +9,14 @@ from decimal import Decimal
 from functools import lru_cache
 from typing import Annotated, Final, Literal, TypeVar, cast
 
-from pydantic import BaseModel, ConfigDict, Field, StrictInt, StrictStr, ValidationError
+from pydantic import BaseModel, ConfigDict, FailFast, Field, StrictInt, StrictStr, ValidationError
 from pydantic.functional_validators import PlainValidator
 from pydantic.json_schema import WithJsonSchema
 
 from maestra.core.board import MAX_SIDE, Board, Cell, Column, Row
 from maestra.core.demonstration import MAX_MOVES, MAX_TIME_MS, Demonstration, Play, Source
 from maestra.core.faults import Fault, InvalidError
-from maestra.core.json_faults import Expecting, faults_of_validation
+from maestra.core.json_faults import AtMost, Expecting, faults_of_validation
 from maestra.core.json_lines import FormatError, decode_object, split_lines
 from maestra.core.state import Move, State
 from maestra.core.text import MAX_TEXT, PLAIN
@@ -84,10 +84,13 @@ _Value = Annotated[
 ]
 # Deck refuses what is empty: pydantic would call a list empty once all of it is wrong.
 _Order = Annotated[
-    tuple[_Text, ...], Field(max_length=MAX_LISTED, json_schema_extra={"minItems": 1})
+    tuple[_Text, ...],
+    Field(max_length=MAX_LISTED, json_schema_extra={"minItems": 1}),
+    FailFast(),
+    AtMost(MAX_LISTED),
 ]
 _Pair = Annotated[tuple[_Text, _Text], Expecting("a pair of names")]
-_Pairs = Annotated[tuple[_Pair, ...], Field(max_length=MAX_LISTED)]
+_Pairs = Annotated[tuple[_Pair, ...], Field(max_length=MAX_LISTED), FailFast(), AtMost(MAX_LISTED)]
 _TimeMs = Annotated[
     StrictInt, Field(ge=0, le=MAX_TIME_MS), Expecting("a whole number of milliseconds from 0")
 ]
@@ -127,6 +130,7 @@ class DeckJson(_Strict):
             "attributes by name. An attribute holds numbers on all tokens or strings on all.",
             examples=[{"04A3B2": {"value": 19}, "04A3B3": {"value": 23, "colour": "red"}}],
         ),
+        AtMost(MAX_TOKENS),
     ]
     orders: Annotated[
         dict[_Text, _Order],
@@ -160,6 +164,8 @@ class DeckJson(_Strict):
             description="The words that count as words, for rules about spelling.",
             examples=[["CURIE"]],
         ),
+        FailFast(),
+        AtMost(MAX_WORDS),
     ] = ()
 
     def deck(self) -> Deck:
@@ -196,6 +202,7 @@ class DemonstrationJson(DeckJson):
             "cell at most.",
             examples=[{"04A3B2": [2, 1], "04A3B3": [3, 4]}],
         ),
+        AtMost(MAX_TOKENS),
     ]
     moves: Annotated[
         tuple[MoveJson, ...],
@@ -204,6 +211,7 @@ class DemonstrationJson(DeckJson):
             description="What was moved, in order; each move starts where its token lies by then.",
             examples=[[{"token": "04A3B2", "origin": [2, 1], "destination": [1, 1]}]],
         ),
+        AtMost(MAX_MOVES),
     ]
     label: Annotated[
         Annotated[
@@ -221,6 +229,7 @@ class DemonstrationJson(DeckJson):
             description="When each move was made: milliseconds since the start, one for each "
             "move, never falling.",
         ),
+        AtMost(MAX_MOVES),
     ] = None
     source: Annotated[
         Annotated[Source, Expecting("one of board, file, simulated")] | None,

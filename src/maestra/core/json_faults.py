@@ -1,15 +1,17 @@
 """What pydantic found wrong, in our words: the field's path, what is there, what should be."""
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sized
 from dataclasses import dataclass
 from itertools import chain
-from typing import Final, get_args
+from typing import Final, cast, get_args
 
 from pydantic import BaseModel, GetCoreSchemaHandler, ValidationError
 from pydantic_core import CoreSchema, ErrorDetails, core_schema
 
 from maestra.core.faults import Fault, shorten
 
+MAX_FAULTS: Final = 10_000
+"""Faults that are put in words: nobody mends so many one by one."""
 _CONTAINERS: Final[Mapping[str, str]] = {
     "dict_type": "a JSON object",
     "model_type": "a JSON object",
@@ -38,9 +40,32 @@ class Expecting:
         )
 
 
+@dataclass(frozen=True, slots=True)
+class AtMost:
+    """An annotation: a list or object with more entries is one fault, its entries unread.
+
+    Pydantic's own limit counts only entries that are right, so that a line of a million wrong
+    ones would be a million faults.
+    """
+
+    most: int
+
+    def __get_pydantic_core_schema__(
+        self, source: object, handler: GetCoreSchemaHandler
+    ) -> CoreSchema:
+        """The field's schema, asked only when there are not too many entries."""
+        return core_schema.no_info_before_validator_function(self._check, handler(source))
+
+    def _check(self, value: object) -> object:
+        if _entries(value) > self.most:
+            raise ValueError(f"at most {self.most} entries")
+        return value
+
+
 def faults_of_validation(error: ValidationError, model: type[BaseModel]) -> tuple[Fault, ...]:
-    """Every fault that pydantic found in what should be a `model`."""
-    return tuple(_fault(detail, model) for detail in error.errors(include_url=False))
+    """Every fault that pydantic found in what should be a `model`; of very many the first."""
+    details = error.errors(include_url=False)[:MAX_FAULTS]
+    return tuple(_fault(detail, model) for detail in details)
 
 
 def _fault(detail: ErrorDetails, model: type[BaseModel]) -> Fault:
@@ -60,6 +85,10 @@ def _fault(detail: ErrorDetails, model: type[BaseModel]) -> Fault:
         case _:
             expected = _CONTAINERS.get(detail["type"], detail["msg"])
             return Fault(where, shorten(written), expected)
+
+
+def _entries(value: object) -> int:
+    return len(cast("Sized", value)) if isinstance(value, list | dict) else 0
 
 
 def _path(place: tuple[int | str, ...]) -> str:
