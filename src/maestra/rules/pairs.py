@@ -3,17 +3,15 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
-from decimal import Decimal
 from fractions import Fraction
 from typing import Annotated, Literal, TypeAlias, assert_never
 
 from pydantic import Field
 
 from maestra.core.tokens import NAME, Value
+from maestra.rules.fields import Flag, Name, Number, Strict
 from maestra.rules.setting import Index, Mask, Rank, Setting
-from maestra.rules.token_tests import Comparison, Strict
-
-Number: TypeAlias = int | Decimal
+from maestra.rules.token_tests import Comparison
 
 
 @dataclass(frozen=True, slots=True)
@@ -24,9 +22,9 @@ class Compare(Strict):
     it is not the same one: the first names the category of the second.
     """
 
-    attribute: str
+    attribute: Name
     comparison: Comparison
-    other: str | None = None
+    other: Name | None = None
     relation: Literal["compare"] = field(default="compare", kw_only=True, repr=False)
 
 
@@ -34,7 +32,7 @@ class Compare(Strict):
 class Step(Strict):
     """The second is `amount` further than the first; round the cycle, if it is one."""
 
-    attribute: str
+    attribute: Name
     amount: Number
     relation: Literal["step"] = field(default="step", kw_only=True, repr=False)
 
@@ -43,7 +41,7 @@ class Step(Strict):
 class Apart(Strict):
     """The two are `amount` apart, whichever is the larger; round the cycle, if it is one."""
 
-    attribute: str
+    attribute: Name
     amount: Number
     relation: Literal["apart"] = field(default="apart", kw_only=True, repr=False)
 
@@ -52,7 +50,7 @@ class Apart(Strict):
 class Times(Strict):
     """The second is `amount` times the first."""
 
-    attribute: str
+    attribute: Name
     amount: Number
     relation: Literal["times"] = field(default="times", kw_only=True, repr=False)
 
@@ -61,7 +59,7 @@ class Times(Strict):
 class AddUp(Strict):
     """The two add up to `amount`."""
 
-    attribute: str
+    attribute: Name
     amount: Number
     relation: Literal["add-up"] = field(default="add-up", kw_only=True, repr=False)
 
@@ -70,8 +68,8 @@ class AddUp(Strict):
 class Named(Strict):
     """The deck's relation `name` holds: either way round, or from first to second only."""
 
-    name: str
-    directed: bool = False
+    name: Name
+    directed: Flag = False
     relation: Literal["named"] = field(default="named", kw_only=True, repr=False)
 
 

@@ -10,10 +10,11 @@ from dataclasses import dataclass, field
 from enum import Enum
 from typing import Annotated, Literal, TypeAlias, assert_never
 
-from pydantic import ConfigDict, Field
+from pydantic import Field
 
 from maestra.core.tokens import Value
 from maestra.rules.features import TokenFeature, token_feature_holds
+from maestra.rules.fields import Amount, Feature, Name, Shown, Strict
 from maestra.rules.setting import Mask, Rank, Setting, bits
 
 
@@ -68,13 +69,6 @@ class Extreme(Enum):
     HIGHEST = "highest"
 
 
-class Strict:
-    """Unknown fields of the JSON form are refused."""
-
-    __slots__ = ()
-    __pydantic_config__ = ConfigDict(extra="forbid")
-
-
 @dataclass(frozen=True, slots=True)
 class Anything(Strict):
     """Every token passes."""
@@ -86,7 +80,7 @@ class Anything(Strict):
 class Has(Strict):
     """The token has the feature, for example ``odd:value`` or ``is-red:colour``."""
 
-    feature: TokenFeature
+    feature: Feature
     test: Literal["has"] = field(default="has", kw_only=True, repr=False)
 
 
@@ -94,9 +88,9 @@ class Has(Strict):
 class Compared(Strict):
     """What the token shows compares so to `value`, in the order of `attribute`."""
 
-    attribute: str
+    attribute: Name
     comparison: Comparison
-    value: Value
+    value: Shown
     test: Literal["compared"] = field(default="compared", kw_only=True, repr=False)
 
 
@@ -108,9 +102,9 @@ class Among(Strict):
     a token passes when fewer than `number` are beyond it.
     """
 
-    attribute: str
+    attribute: Name
     extreme: Extreme
-    number: int | None = None
+    number: Amount | None = None
     test: Literal["among"] = field(default="among", kw_only=True, repr=False)
 
 

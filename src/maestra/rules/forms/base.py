@@ -11,18 +11,31 @@ from __future__ import annotations
 from abc import ABC, abstractmethod
 from collections.abc import Iterator
 from enum import Enum
-from typing import NewType, TypeAlias
+from typing import TypeAlias
 
 import numpy as np
 
 from maestra.core.faults import Fault, InvalidError
+from maestra.rules.fields import Position, Strict
 from maestra.rules.pairs import Related, converse
 from maestra.rules.plays import Plays, Truth, as_matrix, as_table
 from maestra.rules.setting import Index, Line, Mask, Play, Setting, bits
-from maestra.rules.token_tests import Strict
 
-Position = NewType("Position", int)
-"""A place on a line: 1 the first, 2 the second..., -1 the last..., 0 the middle."""
+__all__ = [
+    "FIRST",
+    "LAST",
+    "MIDDLE",
+    "Direction",
+    "EachSlot",
+    "Form",
+    "Link",
+    "Pairwise",
+    "Position",
+    "can_clash",
+    "demand",
+    "place_of",
+]
+
 FIRST, MIDDLE, LAST = Position(1), Position(0), Position(-1)
 
 

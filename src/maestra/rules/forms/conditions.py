@@ -8,7 +8,8 @@ from typing import Annotated, Literal, TypeAlias
 import numpy as np
 from pydantic import Field
 
-from maestra.rules.forms.base import LAST, Form, Position, demand, place_of
+from maestra.rules.fields import Place
+from maestra.rules.forms.base import LAST, Form, demand, place_of
 from maestra.rules.forms.counting import Count
 from maestra.rules.plays import NOBODY, Plays, Truth, as_table
 from maestra.rules.setting import Index, Line, Mask, Play, Setting, bits
@@ -22,7 +23,7 @@ class At(Form):
     In time: the first, the second..., or the last one placed.
     """
 
-    position: Position
+    position: Place
     test: TokenTest
     line: Line = Line.ROW
     form: Literal["at"] = field(default="at", kw_only=True, repr=False)

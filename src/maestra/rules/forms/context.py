@@ -6,6 +6,7 @@ from dataclasses import dataclass, field
 from enum import Enum
 from typing import Literal, assert_never
 
+from maestra.rules.fields import Side
 from maestra.rules.forms.base import EachSlot
 from maestra.rules.pairs import Relation, related
 from maestra.rules.setting import ORIGIN_ROW, Index, Line, Mask, Setting, bits
@@ -32,7 +33,7 @@ class ModelRow(EachSlot):
     pair. Where the model has no token, any may come.
     """
 
-    row: int
+    row: Side
     reading: Reading
     relation: Relation
     form: Literal["model-row"] = field(default="model-row", kw_only=True, repr=False)
@@ -81,8 +82,8 @@ class Cue(EachSlot):
     ``Compare("name", EQUAL, other="category")``.
     """
 
-    row: int
-    column: int
+    row: Side
+    column: Side
     relation: Relation
     form: Literal["cue"] = field(default="cue", kw_only=True, repr=False)
 

@@ -13,7 +13,8 @@ from typing import Final, Literal
 import numpy as np
 from numpy.typing import NDArray
 
-from maestra.rules.forms.base import Form, Position, demand, place_of
+from maestra.rules.fields import Amount, Name, Number, Place
+from maestra.rules.forms.base import Form, demand, place_of
 from maestra.rules.forms.numbers import (
     can_add_up,
     compare,
@@ -24,7 +25,6 @@ from maestra.rules.forms.numbers import (
 )
 from maestra.rules.forms.ranks import all_ranked, few_of_each
 from maestra.rules.forms.values import value_numbers
-from maestra.rules.pairs import Number
 from maestra.rules.plays import NOBODY, Plays, Truth, as_table
 from maestra.rules.setting import Index, Line, Play, Rank, bits
 from maestra.rules.token_tests import Comparison, TokenTest, passing
@@ -93,7 +93,7 @@ class Count(Counted):
 
     test: TokenTest
     comparison: Comparison
-    number: int
+    number: Amount
     form: Literal["count"] = field(default="count", kw_only=True, repr=False)
 
     def against(self) -> tuple[Comparison, int]:
@@ -158,9 +158,9 @@ class CompareCounts(Counted):
 class Kinds(Counted):
     """The row shows so many different values of `attribute`: exactly two colours."""
 
-    attribute: str
+    attribute: Name
     comparison: Comparison
-    number: int
+    number: Amount
     form: Literal["kinds"] = field(default="kinds", kw_only=True, repr=False)
 
     def against(self) -> tuple[Comparison, int]:
@@ -195,7 +195,7 @@ class Total(Form):
     Every token of the row has a rank; the sum of none is 0.
     """
 
-    attribute: str
+    attribute: Name
     comparison: Comparison
     number: Number
     form: Literal["total"] = field(default="total", kw_only=True, repr=False)
@@ -270,9 +270,9 @@ class Equation(Form):
     filled, and their tokens have ranks.
     """
 
-    attribute: str
-    left: tuple[Position, ...]
-    right: tuple[Position, ...] = ()
+    attribute: Name
+    left: tuple[Place, ...]
+    right: tuple[Place, ...] = ()
     constant: Number = 0
     operation: Operation = Operation.SUM
     form: Literal["equation"] = field(default="equation", kw_only=True, repr=False)

@@ -9,10 +9,10 @@ from typing import Literal
 
 import numpy as np
 
+from maestra.rules.fields import Name, Number
 from maestra.rules.forms.base import Form
 from maestra.rules.forms.numbers import largest_gain, scale_of, whole_numbers
 from maestra.rules.forms.ranks import all_ranked
-from maestra.rules.pairs import Number
 from maestra.rules.plays import NOBODY, Plays, Truth
 from maestra.rules.setting import Line, Play, Rank, bits
 
@@ -48,7 +48,7 @@ class UntilTotal(Form):
     Every token of the row has a rank; what lies there from the start counts.
     """
 
-    attribute: str
+    attribute: Name
     number: Number
     form: Literal["until-total"] = field(default="until-total", kw_only=True, repr=False)
 

@@ -10,7 +10,7 @@ from typing import Any, Final, TypeAlias
 import numpy as np
 from numpy.typing import NDArray
 
-from maestra.rules.pairs import Number
+from maestra.rules.fields import Number
 from maestra.rules.plays import Truth
 from maestra.rules.setting import Rank, Setting
 from maestra.rules.token_tests import Comparison

@@ -11,12 +11,12 @@ from typing import Literal
 import numpy as np
 from numpy.typing import NDArray
 
+from maestra.rules.fields import Flag, Name, Place
 from maestra.rules.forms.base import (
     Direction,
     Form,
     Link,
     Pairwise,
-    Position,
     can_clash,
     place_of,
 )
@@ -43,6 +43,11 @@ _ORDERS = {
 }
 
 
+def order_of(direction: Direction, *, strict: bool) -> Comparison:
+    """How one token compares to a later one."""
+    return _ORDERS[direction, strict]
+
+
 @dataclass(frozen=True, slots=True)
 class Ordered(Pairwise):
     """Of two tokens the one further on the line shows more (rising) or less (falling).
@@ -51,15 +56,15 @@ class Ordered(Pairwise):
     another.
     """
 
-    attribute: str
+    attribute: Name
     direction: Direction = Direction.RISING
-    strict: bool = True
+    strict: Flag = True
     line: Line = Line.ROW
     form: Literal["ordered"] = field(default="ordered", kw_only=True, repr=False)
 
     def links(self, setting: Setting) -> Iterator[Link]:
         """Every pair."""
-        comparison = _ORDERS[self.direction, self.strict]
+        comparison = order_of(self.direction, strict=self.strict)
         masks = related(setting, Compare(self.attribute, comparison))
         for i, j in combinations(range(setting.length), 2):
             yield i, j, masks
@@ -72,7 +77,7 @@ class CyclicOrdered(Form):
     Friday, Sunday, Monday, Wednesday. Gaps do not matter; every token has a rank.
     """
 
-    attribute: str
+    attribute: Name
     direction: Direction = Direction.RISING
     line: Line = Line.ROW
     form: Literal["cyclic-ordered"] = field(default="cyclic-ordered", kw_only=True, repr=False)
@@ -126,7 +131,7 @@ class RiseAndFall(Form):
     not matter; every token has a rank.
     """
 
-    attribute: str
+    attribute: Name
     direction: Direction = Direction.RISING
     line: Line = Line.ROW
     form: Literal["rise-and-fall"] = field(default="rise-and-fall", kw_only=True, repr=False)
@@ -188,7 +193,7 @@ def _can_dip(slots: list[Rank | None], k: int, left: list[Rank], room: int) -> b
 class Zigzag(Form):
     """Up and down by turns: neighbours differ, and one between two is above or below both."""
 
-    attribute: str
+    attribute: Name
     line: Line = Line.ROW
     form: Literal["zigzag"] = field(default="zigzag", kw_only=True, repr=False)
 
@@ -262,8 +267,8 @@ class EqualSteps(Form):
     Round the cycle, if it is one. A fixed difference or ratio is an `EachPair` of neighbours.
     """
 
-    attribute: str
-    ratio: bool = False
+    attribute: Name
+    ratio: Flag = False
     line: Line = Line.ROW
     form: Literal["equal-steps"] = field(default="equal-steps", kw_only=True, repr=False)
 
@@ -361,10 +366,10 @@ class ExtremeAt(Form):
     It is there, and every token of the row has a rank. `negated`: that is not so.
     """
 
-    attribute: str
+    attribute: Name
     extreme: Extreme
-    position: Position
-    negated: bool = False
+    position: Place
+    negated: Flag = False
     form: Literal["extreme-at"] = field(default="extreme-at", kw_only=True, repr=False)
 
     def holds(self, play: Play) -> bool:

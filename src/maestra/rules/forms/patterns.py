@@ -6,11 +6,13 @@ from collections import Counter
 from collections.abc import Iterator
 from dataclasses import dataclass, field
 from itertools import combinations
-from typing import Literal
+from typing import Annotated, Literal
 
 import numpy as np
+from pydantic import Field
 
 from maestra.core.tokens import Value
+from maestra.rules.fields import MAX_LISTED, Flag, Letters, Name
 from maestra.rules.forms.base import EachSlot, Form, Link, Pairwise, demand
 from maestra.rules.forms.ranks import PAIR
 from maestra.rules.forms.values import all_valued, value_numbers
@@ -28,8 +30,8 @@ class Pattern(EachSlot):
     CURIE"); red, blue, red, blue; rows in turn.
     """
 
-    tests: tuple[TokenTest, ...]
-    repeat: bool = False
+    tests: Annotated[tuple[TokenTest, ...], Field(max_length=MAX_LISTED)]
+    repeat: Flag = False
     line: Line = Line.ROW
     form: Literal["pattern"] = field(default="pattern", kw_only=True, repr=False)
 
@@ -60,9 +62,9 @@ class Template(Pairwise):
     what comes after the last letter is free.
     """
 
-    attribute: str
-    letters: str
-    repeat: bool = False
+    attribute: Name
+    letters: Letters
+    repeat: Flag = False
     line: Line = Line.ROW
     form: Literal["template"] = field(default="template", kw_only=True, repr=False)
 
@@ -88,7 +90,7 @@ class Blocks(Form):
     Every token has the attribute.
     """
 
-    attribute: str
+    attribute: Name
     line: Line = Line.ROW
     form: Literal["blocks"] = field(default="blocks", kw_only=True, repr=False)
 

@@ -8,7 +8,8 @@ from enum import Enum
 from itertools import combinations
 from typing import Literal, assert_never
 
-from maestra.rules.forms.base import Link, Pairwise, Position, demand, place_of
+from maestra.rules.fields import Place
+from maestra.rules.forms.base import Link, Pairwise, demand, place_of
 from maestra.rules.pairs import Relation, converse, related
 from maestra.rules.setting import Index, Line, Setting
 
@@ -72,8 +73,8 @@ class TwoPlaces(Pairwise):
     A place that the row does not have, as the middle of four, asks nothing.
     """
 
-    first: Position
-    second: Position
+    first: Place
+    second: Place
     relation: Relation
     form: Literal["two-places"] = field(default="two-places", kw_only=True, repr=False)
 

@@ -7,6 +7,7 @@ from typing import Literal
 
 import numpy as np
 
+from maestra.rules.fields import Flag, Name
 from maestra.rules.forms.base import EachSlot, Form
 from maestra.rules.forms.selection import EveryToken
 from maestra.rules.pairs import Compare, Related, related
@@ -24,7 +25,7 @@ def from_row(row: int) -> EveryToken:
 class StraightUp(EachSlot):
     """Each token stays in its column, or goes to the mirrored one; given tokens are right."""
 
-    mirrored: bool = False
+    mirrored: Flag = False
     form: Literal["straight-up"] = field(default="straight-up", kw_only=True, repr=False)
 
     @property
@@ -53,7 +54,7 @@ class TakeExtreme(Form):
     looked at: always the smallest red one left. A token looked at has a rank.
     """
 
-    attribute: str
+    attribute: Name
     extreme: Extreme
     among: TokenTest = field(default_factory=Anything)
     form: Literal["take-extreme"] = field(default="take-extreme", kw_only=True, repr=False)

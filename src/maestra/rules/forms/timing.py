@@ -10,6 +10,7 @@ from typing import Literal, assert_never
 
 import numpy as np
 
+from maestra.rules.fields import Flag
 from maestra.rules.forms.base import Form, Link, Pairwise
 from maestra.rules.forms.ranks import NO_LIMIT
 from maestra.rules.plays import NOBODY, Plays, Truth, as_table
@@ -120,7 +121,7 @@ class Follows(Form):
 
     test: TokenTest
     follower: TokenTest
-    immediately: bool = True
+    immediately: Flag = True
     line: Line = Line.TIME
     form: Literal["follows"] = field(default="follows", kw_only=True, repr=False)
 

@@ -9,6 +9,7 @@ from typing import Final, Literal
 import numpy as np
 
 from maestra.core.tokens import LETTER
+from maestra.rules.fields import Name
 from maestra.rules.forms.base import Form
 from maestra.rules.plays import Plays, Truth, close_ranks
 from maestra.rules.setting import Play, Setting, bits
@@ -25,9 +26,9 @@ class Word(Form):
     relation pairs with that value count: ``Word(relation="category", value="bird")``.
     """
 
-    attribute: str = LETTER
-    relation: str | None = None
-    value: str | None = None
+    attribute: Name = LETTER
+    relation: Name | None = None
+    value: Name | None = None
     form: Literal["word"] = field(default="word", kw_only=True, repr=False)
 
     def words(self, setting: Setting) -> frozenset[str]:
