@@ -151,6 +151,7 @@ class Judge:
             IllegalMoveError: no board could make a move; its place is in the faults.
             InvalidError: another board than the exercise's.
         """
+        self._check_board(start)
         state, made = start, 0
         refused: dict[TokenId, JudgedMove] = {}
         judged: list[JudgedMove] = []
