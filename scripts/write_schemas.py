@@ -9,9 +9,13 @@ from pydantic.json_schema import GenerateJsonSchema, JsonSchemaValue
 from pydantic_core import core_schema
 
 from maestra.core.formats import DEMONSTRATION_FORMAT, DemonstrationJson
+from maestra.rules.exercise_format import EXERCISE_FORMAT, ExerciseJson
 
 FOLDER: Final = Path(__file__).parents[1] / "docs" / "schemas"
-MODELS: Final[dict[str, type[BaseModel]]] = {DEMONSTRATION_FORMAT: DemonstrationJson}
+MODELS: Final[dict[str, type[BaseModel]]] = {
+    DEMONSTRATION_FORMAT: DemonstrationJson,
+    EXERCISE_FORMAT: ExerciseJson,
+}
 """Each format with the model that reads it."""
 
 

@@ -35,8 +35,6 @@ from maestra.rules.vocabulary import Level, Vocabulary
 EXERCISE_FORMAT: Final = "maestra.exercise/1"
 MAX_EXERCISE_BYTES: Final = 64 * 2**20
 """A 20 x 20 board with 100 tokens takes 3 MB; a longer file is a wrong one."""
-MAX_FEATURES: Final = 10_000
-"""As many as a hundred attributes can have."""
 
 _Built = TypeVar("_Built")
 
@@ -189,7 +187,6 @@ class ExerciseJson(DeckJson):
     features: Annotated[
         tuple[StrictStr, ...],
         Field(
-            max_length=MAX_FEATURES,
             description="The features that count, each with the attribute it is taken over.",
             examples=[["from-storage", "to-goal-row", "destination", "less-than:value"]],
         ),
@@ -197,8 +194,7 @@ class ExerciseJson(DeckJson):
     lengths: Annotated[
         tuple[_Moves, ...],
         Field(
-            min_length=1,
-            max_length=MAX_MOVES,
+            json_schema_extra={"minItems": 1},
             description="After how many moves a play may end.",
             examples=[[5]],
         ),
@@ -217,6 +213,8 @@ class ExerciseJson(DeckJson):
                 the features, or else every fault of the actions.
         """
         vocabulary = self._vocabulary()
+        if not self.lengths:
+            refuse([Fault("lengths", "nothing", "at least one length of a play")])
         longest = max(self.lengths)
         about = _About(vocabulary, LiteralDecoder(vocabulary), longest, self.demonstrations)
         faults: list[Fault] = []

@@ -14,7 +14,7 @@ from maestra.core.board import Cell, Column, Row
 from maestra.core.faults import Fault, InvalidError
 from maestra.core.formats import encode_attributes
 from maestra.core.json_faults import Expecting
-from maestra.core.tokens import MAX_NAMES, Attributes, Value, expected_value
+from maestra.core.tokens import Attributes, Value, expected_value
 from maestra.rules.features import CellFeature, PairFeature, TokenFeature
 from maestra.rules.literals import Contains, Literal, Placed, Related, Shows
 
@@ -34,7 +34,7 @@ _AnyValue = Annotated[
     PlainValidator(_value),
     WithJsonSchema({"type": ["number", "string"]}),
 ]
-ShownJson: TypeAlias = Annotated[dict[StrictStr, _AnyValue], Field(max_length=MAX_NAMES)]
+ShownJson: TypeAlias = dict[StrictStr, _AnyValue]
 """What a token shows: its attributes by name."""
 _Pair: TypeAlias = tuple[StrictInt, StrictInt]
 _CellJson = Annotated[_Pair, Expecting("a cell, [row, column]")]
