@@ -176,7 +176,8 @@ def test_what_is_no_object_is_refused(parsed: str) -> None:
         ("{", "not JSON (Expecting property name enclosed in double quotes at character 2)"),
         ("{}{}", "not JSON (Extra data at character 3)"),
         ("rows,columns", "not JSON (Expecting value at character 1)"),
-        ('{"a": "\t"}', "not JSON (Invalid control character at at character 8)"),
+        ('{"a": "b', "not JSON (Unterminated string starting at character 7)"),
+        ('{"a": "\t"}', "not JSON (Invalid control character at character 8)"),
     ],
 )
 def test_what_is_not_json_is_refused_with_its_place(text: str, said: str) -> None:

@@ -103,7 +103,7 @@ def _parse(line: bytes) -> object:
     except UnicodeEncodeError:
         refusal = Fault("", "half a character (\\ud800 to \\udfff alone)", "whole characters")
     except json.JSONDecodeError as error:
-        found = f"not JSON ({error.msg} at character {error.pos + 1})"
+        found = f"not JSON ({error.msg.removesuffix(' at')} at character {error.pos + 1})"
         refusal = Fault("", found, "one JSON object a line")
     except InvalidError:
         raise
