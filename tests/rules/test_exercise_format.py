@@ -369,7 +369,7 @@ def paths(value: Any, at: Path = ()) -> list[Path]:  # noqa: ANN401 - JSON
     if isinstance(value, dict):
         parts = list(cast("dict[str | int, Any]", value).items())
     if isinstance(value, list):
-        parts = list(enumerate(cast("list[Any]", value)))
+        parts = list(enumerate(cast("Sequence[object]", value)))
     return [at, *(path for step, one in parts for path in paths(one, (*at, step)))]
 
 
