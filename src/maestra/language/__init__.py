@@ -3,6 +3,7 @@
 from maestra.language.languages import Language as Language
 from maestra.language.lexicon import NO_LEXICON as NO_LEXICON
 from maestra.language.lexicon import Lexicon as Lexicon
+from maestra.language.lexicon_format import read_words as read_words
 from maestra.language.sentences import ActionExplanation as ActionExplanation
 from maestra.language.sentences import Sentence as Sentence
 from maestra.language.sentences import check_sentence as check_sentence

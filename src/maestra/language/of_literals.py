@@ -49,8 +49,10 @@ class Conditions:
                 alike.setdefault(key, []).append(literal)
             else:
                 said.append(self.of(literal))
-        for group in alike.values():
-            said.append(self.of(group[0]) if len(group) == 1 else self._of_row(group))
+        said += [
+            self.of(group[0]) if len(group) == 1 else self._of_row(group)
+            for group in alike.values()
+        ]
         return Listing(tuple(said), Joint.AND)
 
     def _of_row(self, group: Sequence[Related]) -> Say:
@@ -97,7 +99,9 @@ def _of_cells(literal: Placed) -> Say:
 def needed(literals: Sequence[Literal]) -> tuple[Literal, ...]:
     """The literals without those that every exercise has or that follow from another."""
     placed = {one.feature.name for one in literals if isinstance(one, Placed)}
-    implied = {"from-storage"} | ({"to-goal-row"} if "destination" in placed else set())
+    implied = {"from-storage"}
+    if "destination" in placed:
+        implied.add("to-goal-row")
     kept = (
         one for one in literals if not (isinstance(one, Placed) and one.feature.name in implied)
     )

@@ -20,7 +20,8 @@ from maestra.language.phrases import (
     does,
 )
 from maestra.rules.features import PairFeature
-from maestra.rules.pairs import AddUp, Apart, Compare, Named, Number, Relation, Step, Times
+from maestra.rules.fields import Number
+from maestra.rules.pairs import AddUp, Apart, Compare, Named, Relation, Step, Times
 from maestra.rules.token_tests import Comparison
 
 
@@ -32,12 +33,12 @@ class Two:
     subject: Phrase | None
     other: Phrase
 
-    def stands(self, relation: Relation) -> Does:
+    def stands(self, relation: Relation) -> Does:  # noqa: PLR0911 - one for each relation
         """That the other is the first of the pair and the subject the second."""
         match relation:
-            case Compare(attribute, comparison, None):
-                return self._compares(attribute, comparison)
-            case Compare(attribute, comparison, str() as own):
+            case Compare(attribute, comparison, own):
+                if own is None:
+                    return self._compares(attribute, comparison)
                 return self._compares_across(own, attribute, comparison)
             case Step(attribute, amount):
                 return self._is_further(attribute, amount)
@@ -123,7 +124,7 @@ class Two:
         if scale in {Scale.LETTER, Scale.ORDER, Scale.CYCLE}:
             return self._is_places_further(attribute, int(amount), scale)
         predicate = Predicate.MORE_BY if amount > 0 else Predicate.LESS_BY
-        return self._about(predicate, attribute, k=Numeral(abs(amount)))
+        return self._about(predicate, attribute, k=Numeral(amount if amount > 0 else -amount))
 
     def _is_places_further(self, attribute: str, amount: int, scale: Scale) -> Does:
         after = amount > 0
@@ -138,7 +139,7 @@ class Two:
     def _is_times(self, attribute: str, amount: Number) -> Does:
         if amount == 2:  # noqa: PLR2004 - twice
             return self._about(Predicate.TWICE, attribute)
-        if amount * 2 == 1:
+        if amount + amount == 1:
             return self._about(Predicate.HALF, attribute)
         return self._about(Predicate.TIMES, attribute, k=Numeral(amount))
 

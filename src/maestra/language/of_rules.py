@@ -30,7 +30,8 @@ from maestra.language.phrases import (
     does,
     say,
 )
-from maestra.rules.forms.base import LAST, MIDDLE, Direction, Position
+from maestra.rules.fields import Position
+from maestra.rules.forms.base import LAST, MIDDLE, Direction
 from maestra.rules.forms.conditions import At, IfThen
 from maestra.rules.forms.context import Cue, ModelRow, Reading
 from maestra.rules.forms.counting import (
@@ -121,7 +122,7 @@ class Rules:
         """The board they are said about."""
         return self.tokens.board
 
-    def says(self, rule: Rule) -> Say:  # noqa: C901, PLR0911, PLR0912, PLR0915 - one case for each form
+    def says(self, rule: Rule) -> Say:  # noqa: C901, PLR0911, PLR0912 - one case for each form
         """The rule as a sentence."""
         match rule:
             case EveryToken(test):
@@ -182,8 +183,11 @@ class Rules:
                 subject = _at(position, line)
                 return say(Key.SUBJECT_MUST, subject=subject, does=self._does(test, subject))
             case IfThen(condition, consequence):
-                first, second = self._condition(condition), self._condition(consequence)
-                return say(Key.IF_THEN, condition=first, consequence=second)
+                return say(
+                    Key.IF_THEN,
+                    condition=self._condition(condition),
+                    consequence=self._condition(consequence),
+                )
             case Word(_, relation, value):
                 if relation is None or value is None:
                     return say(Key.WORD)

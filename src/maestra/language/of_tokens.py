@@ -99,14 +99,15 @@ class Tokens:
 
     def compares(self, attribute: str, *, greater: bool) -> Predicate:
         """What is said of the greater, or the less, of two; it needs an `adjective`."""
-        match self.deck.scales.get(attribute, Scale.NUMBER):
+        scale = self.deck.scales.get(attribute, Scale.NUMBER)
+        match scale:
             case Scale.LETTER:
                 return Predicate.AFTER_IN_ALPHABET if greater else Predicate.BEFORE_IN_ALPHABET
             case Scale.ORDER | Scale.CYCLE:
                 return Predicate.AFTER if greater else Predicate.BEFORE
             case Scale.NUMBER | Scale.NOMINAL:
                 return Predicate.MORE if greater else Predicate.LESS
-            case scale:
+            case _:
                 assert_never(scale)
 
     def _joined(
@@ -138,8 +139,11 @@ class Tokens:
 
     def _value(self, attribute: str, written: str) -> Value:
         """The value of the deck that a feature's name writes so."""
-        values = (token.value(attribute) for token in self.deck.tokens)
-        return next((value for value in values if str(value) == written), written)
+        for token in self.deck.tokens:
+            value = token.value(attribute)
+            if value is not None and str(value) == written:
+                return value
+        return written
 
     def _is(self, attribute: str, value: Value) -> tuple[Predicate, dict[str, Phrase]]:
         if attribute == ORIGIN_ROW:

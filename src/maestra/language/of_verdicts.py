@@ -123,7 +123,7 @@ class Reasons:
                     yield say(Key.NOT_SO, does=opposite(said))
             case Ordered() | EachPair():
                 yield from self._of_neighbours(rule)
-            case Pattern(tests):
+            case Pattern():
                 yield from self._of_pattern(rule)
             case _:
                 yield Rules(self._tokens).says(rule)

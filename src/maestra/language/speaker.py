@@ -272,7 +272,8 @@ class Speaker:
         (attribute, value), *others = ranked
         words = self._attribute(attribute)
         text = self._value_word(attribute, value)
-        match self._manner(attribute, value):
+        manner = self._manner(attribute, value)
+        match manner:
             case Naming.PLAIN:
                 head = self.grammar.plain(text, value, words)
             case Naming.WORD:
@@ -281,6 +282,8 @@ class Speaker:
                 head = self.grammar.quality(text)
             case Naming.MEASURE:
                 head = self.grammar.measure(words, text)
+            case _:
+                assert_never(manner)
         rivals = {t.attributes for t in self.deck.tokens if (attribute, value) in t.attributes}
         more: list[str] = []
         for pair in others:

@@ -152,7 +152,7 @@ class Grammar(Protocol):
 
 
 def inflect(word: str, gender: Gender, *, many: bool = False) -> str:
-    """The form of `word` for a gender and number: ``m|f`` or ``m|f|mm|ff``; one form serves all."""
+    """The form for a gender and number of ``m|f`` or ``m|f|mm|ff``; one form serves all."""
     forms = word.split("|")
     wanted = (gender is Gender.FEMININE) + 2 * many
     return forms[wanted % len(forms)]

@@ -212,7 +212,7 @@ class Candidates:
         )
 
     def _rules_of(self, feature: PairFeature) -> Iterator[tuple[Rule, tuple[Mask, ...]]]:
-        """The rules about neighbours that a feature can say, each with what may lie on the left."""
+        """The rules about neighbours that a feature can say, each with what may lie left."""
         forth, back = self._related(feature)
         if feature.name in _ORDERS:
             yield Ordered(feature.attribute, Direction.RISING), forth
@@ -249,6 +249,7 @@ class Candidates:
     def given_row(self) -> Pattern | None:
         """The row that every play makes, if it is always the same."""
         on_cell: dict[Index, set[int]] = {}
+        everything = self.evidence.vocabulary.shown
         for step, by_shown in self.evidence.routes.items():
             if step > max(self.lengths):
                 continue
@@ -258,8 +259,7 @@ class Candidates:
         filled = sorted(on_cell)
         if filled != list(range(len(filled))) or any(len(on_cell[cell]) > 1 for cell in filled):
             return None
-        shown = self.evidence.vocabulary.shown
-        return Pattern(tuple(self._just(shown[min(on_cell[cell])]) for cell in filled))
+        return Pattern(tuple(self._just(everything[min(on_cell[cell])]) for cell in filled))
 
     def passing(self, test: TokenTest) -> Mask:
         """The tokens that pass a test for what they show, as `given_row` makes them."""

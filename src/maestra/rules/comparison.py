@@ -145,7 +145,7 @@ class _Comparison:
         raise TooManyRowsError
 
     def _false_of_users(self, move: _RightMove, users: tuple[Index, ...], demand: Bits) -> Bits:
-        """As `_false_on`, of a storage cell from which the token of one of `users` surely comes."""
+        """As `_false_on`, of a storage cell from which the token of a user surely comes."""
         lying = 0
         for user in users:
             if user == move.cell:

@@ -1,4 +1,4 @@
-"""What a few simple rules allow, taken apart: where each move goes, from where, and what may lie there.
+"""What a few simple rules allow, taken apart: each move's cells, and what may lie where.
 
 The rules that a grounded exercise can be summarised in; an outline is all that the comparison
 with preconditions needs to know of them.

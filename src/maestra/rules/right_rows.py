@@ -16,8 +16,8 @@ from typing import Final
 
 from maestra.rules.setting import Index, Mask, bits
 
-MAX_NODES: Final = 30_000
-"""Places filled by the search before it gives up: about a tenth of a second."""
+MAX_WORK: Final = 1_000_000
+"""Places filled and pairs noted by the search before it gives up: some tenths of a second."""
 
 
 class TooManyRowsError(Exception):
@@ -86,7 +86,7 @@ class RightRows:
 
     @cached_property
     def _acyclic(self) -> bool:
-        """Whether following the relation never leads back; by taking away what has no successor."""
+        """Whether the relation never leads back: what has no successor is taken away."""
         if self.before is None:
             return False
         left, last = (1 << len(self.before)) - 1, 0
@@ -153,24 +153,26 @@ class RightRows:
         """Every row.
 
         Raises:
-            TooManyRowsError: more than `MAX_NODES` places would have to be filled.
+            TooManyRowsError: it would take more than `MAX_WORK`.
         """
-        nodes = 0
+        work = 0
         stack: list[tuple[Index, ...]] = [()]
         while stack:
             row = stack.pop()
+            work += len(row) ** 2 if len(row) == len(self.domains) else 1
+            if work > MAX_WORK:
+                raise TooManyRowsError
             if len(row) == len(self.domains):
                 yield row
                 continue
-            nodes += 1
-            if nodes > MAX_NODES:
-                raise TooManyRowsError
             free = self.domains[len(row)]
             for token in row:
                 free &= ~(1 << token)
-            for token in bits(free):
-                if not row or self.before is None or self.before[token] >> row[-1] & 1:
-                    stack.append((*row, token))
+            stack += [
+                (*row, token)
+                for token in bits(free)
+                if not row or self.before is None or self.before[token] >> row[-1] & 1
+            ]
 
 
 def _union(relation: tuple[Mask, ...], tokens: Mask) -> Mask:

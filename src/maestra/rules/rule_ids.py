@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from collections import Counter
 from collections.abc import Iterator, Sequence
-from typing import Final
+from typing import Final, cast
 
 from pydantic import TypeAdapter
 
@@ -39,7 +39,7 @@ def number_equal_ones(names: Sequence[str]) -> tuple[str, ...]:
     return tuple(unique)
 
 
-def _rule_id(rule: Rule) -> str:
+def _rule_id(rule: Rule) -> str:  # noqa: PLR0911 - one for each form with a name
     """A short name for the rules most met, else one made of all that the rule says."""
     match rule:
         case FillOrder(filling):
@@ -67,17 +67,18 @@ def _rule_id(rule: Rule) -> str:
 
 def _leaves(written: object) -> Iterator[str]:
     """All that a rule's JSON says, its form first; names of fields add nothing."""
-    match written:
-        case {"form": form, **rest}:
-            yield str(form)
-            yield from _leaves(list(rest.values()))
-        case dict():
-            yield from _leaves(list(written.values()))
-        case list():
-            for each in written:
-                yield from _leaves(each)
-        case _:
-            yield str(written)
+    if isinstance(written, dict):
+        fields = cast("dict[str, object]", written)
+        yield from _leaves([fields[name] for name in sorted(fields, key=_form_first)])
+    elif isinstance(written, list):
+        for each in cast("list[object]", written):
+            yield from _leaves(each)
+    else:
+        yield str(written)
+
+
+def _form_first(name: str) -> tuple[bool, str]:
+    return name != "form", name
 
 
 def _kebab(*words: str) -> str:

@@ -13,8 +13,6 @@ Where the rows cannot be told apart like that and are too many to list, the outc
 
 from __future__ import annotations
 
-import functools
-import operator
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from enum import Enum
@@ -196,7 +194,7 @@ class _Draft:
     def _rules(self) -> Iterator[Rule]:
         if self.candidates.filling is not None:
             yield self.candidates.filling
-        if self.evidence.exercise.lengths == {self.evidence.exercise.board.columns}:
+        if self.evidence.exercise.lengths == frozenset({self.evidence.exercise.board.columns}):
             yield FullRow()
         yield from self.sources
         if self.given is not None:
@@ -254,9 +252,10 @@ class _Draft:
         related = [chosen.before for chosen in self.neighbours if chosen.before is not None]
         if not related:
             return None
-        return tuple(
-            functools.reduce(operator.and_, masks) for masks in zip(*related, strict=True)
-        )
+        before, *others = related
+        for other in others:
+            before = tuple(one & two for one, two in zip(before, other, strict=True))
+        return before
 
     @cached_property
     def _wider(self) -> Wider | None:

@@ -119,7 +119,9 @@ _SENTENCES: Final = {
     Key.ALL_LEFT_OF: (
         "Totes les fitxes que {first:do} han d'anar a l'esquerra de les que {second:do}."
     ),
-    Key.NEXT_AFTER: "Després d'una fitxa que {first:that}, poseu tot seguit una que {second:that}.",
+    Key.NEXT_AFTER: (
+        "Després d'una fitxa que {first:that}, poseu tot seguit una que {second:that}."
+    ),
     Key.LATER_AFTER: (
         "Després d'una fitxa que {first:that}, poseu més endavant una que {second:that}."
     ),

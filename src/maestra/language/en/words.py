@@ -1,4 +1,4 @@
-"""The words of English. A dash of grammar is in the templates; see `maestra.language.templates`."""
+"""The words of English."""
 
 from __future__ import annotations
 

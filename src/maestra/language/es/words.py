@@ -109,7 +109,8 @@ _SENTENCES: Final = {
     Key.NTH_FREE: "la {nth:feminine} es cualquiera",
     Key.TEMPLATE: "{along}, [attribute@los|las] {attribute:plural} siguen el patrón {pattern}.",
     Key.TEMPLATE_REPEATED: (
-        "{along}, [attribute@los|las] {attribute:plural} siguen el patrón {pattern} una y otra vez."
+        "{along}, [attribute@los|las] {attribute:plural} siguen el patrón {pattern} "
+        "una y otra vez."
     ),
     Key.BLOCKS: "{along}, las fichas con [attribute@el mismo|la misma] {attribute} van juntas.",
     Key.IF_THEN: "Si {condition}, entonces {consequence}.",
@@ -118,11 +119,19 @@ _SENTENCES: Final = {
     Key.ALL_LEFT_OF: (
         "Todas las fichas que {first:do} deben ir a la izquierda de las que {second:do}."
     ),
-    Key.NEXT_AFTER: "Después de una ficha que {first:that}, ponga enseguida una que {second:that}.",
-    Key.LATER_AFTER: "Después de una ficha que {first:that}, ponga más tarde una que {second:that}.",
-    Key.NEXT_RIGHT_OF: "Justo a la derecha de una ficha que {first:that}, ponga una que {second:that}.",
+    Key.NEXT_AFTER: (
+        "Después de una ficha que {first:that}, ponga enseguida una que {second:that}."
+    ),
+    Key.LATER_AFTER: (
+        "Después de una ficha que {first:that}, ponga más tarde una que {second:that}."
+    ),
+    Key.NEXT_RIGHT_OF: (
+        "Justo a la derecha de una ficha que {first:that}, ponga una que {second:that}."
+    ),
     Key.LATER_RIGHT_OF: "A la derecha de una ficha que {first:that}, ponga una que {second:that}.",
-    Key.MODEL_COPIED: "{row} es el modelo y no se mueve: cada ficha {does:must}, columna por columna.",
+    Key.MODEL_COPIED: (
+        "{row} es el modelo y no se mueve: cada ficha {does:must}, columna por columna."
+    ),
     Key.MODEL_MIRRORED: (
         "{row} es el modelo y no se mueve: cada ficha {does:must}, como en un espejo."
     ),
@@ -154,7 +163,9 @@ _SENTENCES: Final = {
     Key.SEEN_COME: "Hasta ahora solo he visto {tokens} en {nth} lugar desde {place}.",
     Key.SEEN_GO_TO: "Hasta ahora solo he visto {tokens} en {nth} lugar hacia {place}.",
     Key.SEEN_ONLY_IF: "Hasta ahora, {tokens} solo puede ir en {nth} lugar si {conditions}.",
-    Key.SEEN_TOO_SELDOM: "Aún no he visto {tokens} en {nth} lugar en suficientes jugadas distintas.",
+    Key.SEEN_TOO_SELDOM: (
+        "Aún no he visto {tokens} en {nth} lugar en suficientes jugadas distintas."
+    ),
     Key.MAY_GO: "{token} puede ir en {nth} lugar.",
     Key.MAY_GO_IF: "{token} puede ir en {nth} lugar si {conditions}.",
     Key.EXACT: "He comparado estas frases con lo que he aprendido: dicen lo mismo.",

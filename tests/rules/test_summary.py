@@ -1,0 +1,349 @@
+"""Summaries: rules that refuse nothing that was learned, and an exact account of the rest."""
+
+from __future__ import annotations
+
+import random
+from collections.abc import Iterator, Sequence
+from itertools import permutations, product
+
+import pytest
+from hypothesis import assume, given
+
+from maestra.core.board import Board, Cell, Column, Row
+from maestra.core.demonstration import Demonstration
+from maestra.core.state import Move, State
+from maestra.core.tokens import Deck, Token, TokenId, Value
+from maestra.learning.grounded import GroundedLearner, learn_grounded
+from maestra.rules.exercise import GroundedExercise, Provenance
+from maestra.rules.forms.base import Direction
+from maestra.rules.forms.length import FullRow
+from maestra.rules.forms.order import Ordered
+from maestra.rules.forms.patterns import given_row
+from maestra.rules.forms.relations import EachPair, Pairs
+from maestra.rules.forms.selection import EveryToken
+from maestra.rules.forms.sources import StraightUp, from_row
+from maestra.rules.forms.timing import Filling, FillOrder
+from maestra.rules.ground_truth import ground_truth
+from maestra.rules.pairs import Step as StepBy
+from maestra.rules.paper import PAPER_EXERCISES
+from maestra.rules.rule import Rule
+from maestra.rules.setting import play_of
+from maestra.rules.strips import Action
+from maestra.rules.summary import Check, Narrow, Summary, Unseen, summarise
+from maestra.rules.token_tests import Not, has
+from maestra.rules.vocabulary import Level
+from tests.rules.lessons import Lesson, lessons
+
+LEFT_TO_RIGHT = FillOrder(Filling.LEFT_TO_RIGHT)
+
+
+def learned(name: str, level: Level = Level.A) -> GroundedExercise:
+    """One of the paper's exercises, learned to the end."""
+    paper = PAPER_EXERCISES[name]
+    model = ground_truth(paper.plays(), paper.vocabulary(level))
+    provenance = {action: Provenance(1, ()) for action in model.preconditions}
+    return GroundedExercise(model, provenance, frozenset({5}), 12)
+
+
+def play(
+    deck: Deck, row: Sequence[Value], origins: Sequence[Cell], board: Board | None = None
+) -> Demonstration:
+    """A row filled from the left; the other tokens lie wherever there is room."""
+    board = board or Board()
+    by_value = {value: token.id for token in deck.tokens for _, value in token.attributes}
+    start = {by_value[value]: origin for value, origin in zip(row, origins, strict=True)}
+    free = (cell for cell in board.storage_cells if cell not in start.values())
+    for token in deck.tokens:
+        if token.id not in start:
+            start[token.id] = next(free)
+    moves = tuple(
+        Move(by_value[value], origin, goal)
+        for value, origin, goal in zip(row, origins, board.goal_cells, strict=False)
+    )
+    return Demonstration(deck, State(board, start), moves)
+
+
+def shuffled(board: Board, seed: int, count: int) -> list[Cell]:
+    """Different storage cells."""
+    return random.Random(seed).sample(board.storage_cells, count)  # noqa: S311 - seeded, for a test
+
+
+def numbers(*values: int) -> Deck:
+    """A deck of tokens that show a value."""
+    return Deck(tuple(Token(TokenId(f"t{v:03}"), (("value", v),)) for v in values))
+
+
+RULES: dict[str, tuple[Rule, ...]] = {
+    "odd-ascending": (EveryToken(has("odd", "value")), Ordered("value")),
+    "ascending": (Ordered("value"),),
+    "descending": (Ordered("value", Direction.FALLING),),
+    "first-row": (from_row(1), StraightUp()),
+    "curie": (given_row("letter", tuple("CURIE")),),
+    "letters": (Ordered("letter"),),
+}
+
+
+@pytest.mark.parametrize("name", PAPER_EXERCISES)
+@pytest.mark.parametrize("level", Level)
+def test_what_is_learned_to_the_end_is_said_exactly(name: str, level: Level) -> None:
+    summary = summarise(learned(name, level))
+    assert summary.rules == (LEFT_TO_RIGHT, FullRow(), *RULES[name])
+    assert (summary.steps, summary.gaps, summary.check) == ((), (), Check.SAME)
+
+
+@given(lessons())
+def test_rules_refuse_nothing_learned_and_accept_more_only_where_gaps_say_so(
+    lesson: Lesson,
+) -> None:
+    learner = GroundedLearner(lesson.vocabulary)
+    for shown in lesson.demonstrations:
+        learner.show(shown)
+    exercise = learner.exercise()
+    summary = summarise(exercise)
+    board, deck = exercise.board, lesson.deck
+    assert (summary.check is Check.WIDER) == bool(summary.gaps)
+    assume(summary.places and len(deck.tokens) <= len(board.storage_cells))
+    accepted, right = set(), set()
+    for one in every_play(board, deck, summary.lengths):
+        if accepts(exercise, one):
+            accepted.add(one)
+        if is_right(summary, one):
+            right.add(one)
+    assert accepted <= right
+    if summary.check is not Check.NOT_COMPARED:
+        assert (accepted == right) == (summary.check is Check.SAME)
+        for gap in summary.gaps:
+            assert any(shows_gap(gap, exercise, one) for one in right - accepted)
+
+
+def every_play(board: Board, deck: Deck, lengths: frozenset[int]) -> Iterator[Demonstration]:
+    """Every play of storage tokens onto an empty goal row, from every arrangement."""
+    ids = [token.id for token in deck.tokens]
+    for cells in permutations(board.storage_cells, len(ids)):
+        start = State(board, dict(zip(ids, cells, strict=True)))
+        for length in lengths:
+            for tokens, goals in product(
+                permutations(ids, length), permutations(board.goal_cells, length)
+            ):
+                moves = tuple(
+                    Move(token, start.cells[token], goal)
+                    for token, goal in zip(tokens, goals, strict=True)
+                )
+                yield Demonstration(deck, start, moves)
+
+
+def failures(exercise: GroundedExercise, one: Demonstration) -> Iterator[tuple[Action, object]]:
+    """Each move that the preconditions refuse, with what is false; None if it was never shown."""
+    vocabulary = exercise.model.vocabulary
+    indices = vocabulary.indices(one.deck)
+    for step, (state, move) in enumerate(zip(one.states(), one.moves, strict=False), start=1):
+        action = Action(one.deck.by_id[move.token].attributes, step)
+        if action not in exercise.model.preconditions:
+            yield action, None
+            continue
+        contents = {cell: indices[token] for cell, token in state.tokens.items()}
+        broken = exercise.model.broken(action, contents, move.origin, move.destination)
+        if broken:
+            yield action, broken
+
+
+def accepts(exercise: GroundedExercise, one: Demonstration) -> bool:
+    """Whether every precondition holds in its turn."""
+    return next(failures(exercise, one), None) is None
+
+
+def shows_gap(gap: Unseen | Narrow, exercise: GroundedExercise, one: Demonstration) -> bool:
+    """Whether a play is refused for what the gap says."""
+    for action, broken in failures(exercise, one):
+        if action.step == gap.step:
+            if isinstance(gap, Unseen) and broken is None and action.shown in gap.missing:
+                return True
+            if isinstance(gap, Narrow) and isinstance(broken, tuple):
+                return action.shown in gap.shown and bool({*broken} & {*gap.literals})
+    return False
+
+
+def is_right(summary: Summary, one: Demonstration) -> bool:
+    """Whether all rules hold, and every step is as the single steps say."""
+    steps = {step.step: step for step in summary.steps}
+    for number, move in enumerate(one.moves, start=1):
+        step = steps.get(number)
+        shown = one.deck.by_id[move.token].attributes
+        if step is not None and step.shown and shown not in step.shown:
+            return False
+        if step is not None and step.cell not in {None, move.destination}:
+            return False
+    whole = play_of(one)
+    return all(rule.holds(whole) for rule in summary.rules)
+
+
+def test_one_demonstration_gives_rules_and_says_how_little_was_seen() -> None:
+    deck = numbers(1, 2, 3, 4, 5, 6, 7)
+    board = Board()
+    summary = summarise(learn_grounded([play(deck, (1, 2, 4, 6, 7), shuffled(board, 1, 5))]))
+    assert summary.rules == (LEFT_TO_RIGHT, FullRow(), Ordered("value"))
+    assert summary.check is Check.WIDER
+    first = summary.gaps[0]
+    assert isinstance(first, Unseen)
+    assert (first.step, first.seen) == (1, ((("value", 1),),))
+    assert summary.gap_names[:2] == ("unseen-1", "unseen-2")
+
+
+def test_the_same_row_from_elsewhere_is_a_given_row() -> None:
+    deck = numbers(1, 2, 3, 4, 5, 6, 7)
+    board = Board()
+    row = (4, 1, 7, 2, 6)
+    plays = [play(deck, row, shuffled(board, seed, 5)) for seed in range(6)]
+    summary = summarise(learn_grounded(plays))
+    assert summary.rules == (LEFT_TO_RIGHT, FullRow(), given_row("value", row))
+    assert summary.check is Check.SAME
+
+
+def test_a_row_seen_once_straight_up_is_no_given_row_but_seen_twice_it_is() -> None:
+    deck = numbers(1, 2, 3, 4, 5, 6, 7)
+    row = (4, 1, 7, 2, 6)
+    below = [Cell(Row(2), Column(column)) for column in range(1, 6)]
+    once = summarise(learn_grounded([play(deck, row, below)]))
+    assert once.rules == (LEFT_TO_RIGHT, FullRow(), from_row(1), StraightUp())
+    twice = summarise(learn_grounded([play(deck, row, below)] * 2))
+    assert twice.rules[-1] == given_row("value", row)
+    assert twice.check is Check.SAME
+
+
+def test_what_no_rule_says_is_told_step_by_step() -> None:
+    deck = numbers(*range(1, 8))
+    rows = [(4, 1, 7, 2, 6), (3, 5, 1, 7, 2)]
+    plays = [play(deck, row, shuffled(Board(), seed, 5)) for row in rows for seed in range(8)]
+    summary = summarise(learn_grounded(plays))
+    assert summary.rules == (LEFT_TO_RIGHT, FullRow())
+    assert summary.steps[0].shown == ((("value", 3),), (("value", 4),))
+    assert summary.steps[0].name == "step-1"
+
+
+def test_an_order_of_cells_without_a_name_is_told_step_by_step() -> None:
+    deck = numbers(1, 2, 3, 4)
+    board = Board(2, 4)
+    cells = [Cell(Row(2), Column(column)) for column in (1, 2, 3, 4)]
+    goals = tuple(board.goal_cells[k] for k in (1, 0, 2, 3))
+    plays: list[Demonstration] = []
+    for tokens in permutations(deck.tokens):
+        start = State(board, {t.id: c for t, c in zip(tokens, cells, strict=True)})
+        for chosen in permutations(deck.tokens):
+            moves = tuple(
+                Move(t.id, start.cells[t.id], g) for t, g in zip(chosen, goals, strict=True)
+            )
+            plays.append(Demonstration(deck, start, moves))
+    summary = summarise(learn_grounded(plays, features=["cells"]))
+    assert summary.rules == (FullRow(),)
+    assert [step.cell for step in summary.steps] == list(goals)
+    assert all(step.shown == () for step in summary.steps)
+    assert (summary.placing_name, summary.check) == ("placing", Check.SAME)
+
+
+def test_moves_that_rules_do_not_speak_of_are_not_compared() -> None:
+    deck = numbers(1, 2)
+    board = Board(2, 3)
+    start = State(board, {TokenId("t001"): board.cells[0], TokenId("t002"): board.cells[3]})
+    away = Demonstration(deck, start, (Move(TokenId("t001"), board.cells[0], board.cells[4]),))
+    summary = summarise(learn_grounded([away]))
+    assert (summary.places, summary.rules, summary.gaps) == (False, (), ())
+    assert summary.check is Check.NOT_COMPARED
+    assert [step.shown for step in summary.steps] == [((("value", 1),),)]
+
+
+def test_a_kind_that_all_used_tokens_share_is_a_rule_and_so_is_one_that_none_has() -> None:
+    board = Board(3, 2)
+    colours = {1: "red", 2: "red", 3: "blue", 4: "green"}
+    deck = Deck(
+        tuple(
+            Token(TokenId(f"t{v}"), (("value", v), ("colour", colour)))
+            for v, colour in colours.items()
+        )
+    )
+
+    def shown(row: Sequence[int], origins: Sequence[Cell]) -> Demonstration:
+        free = [cell for cell in board.storage_cells if cell not in origins]
+        cells = [*origins, *free]
+        order = [*row, *(v for v in colours if v not in row)]
+        start = {TokenId(f"t{v}"): cell for v, cell in zip(order, cells, strict=False)}
+        moves = tuple(
+            Move(TokenId(f"t{v}"), origin, goal)
+            for v, origin, goal in zip(row, origins, board.goal_cells, strict=True)
+        )
+        return Demonstration(deck, State(board, start), moves)
+
+    pairs = list(permutations(board.storage_cells, 2))
+    reds = [shown((a, b), pair) for pair in pairs for a, b in ((1, 2), (2, 1))]
+    summary = summarise(learn_grounded(reds, features=["cells"]))
+    assert summary.rules[2:] == (EveryToken(has("is-red", "colour")),)
+    assert summary.check is Check.SAME
+    single = [shown(row, pair) for pair in pairs for row in permutations((1, 2, 3), 2)]
+    # Only one token is green, so that green is no kind: which tokens come is said step by step.
+    assert len(summarise(learn_grounded(single, features=["cells"])).steps) == 2
+
+
+def test_tokens_none_of_which_has_a_feature_are_said_by_its_absence() -> None:
+    deck = numbers(2, 3, 5, 7, 11, 4, 9, 15)
+    rows = list(permutations((4, 9, 15), 2))
+    board = Board(5, 2)
+    plays = [
+        play(deck, row, origins, board)
+        for row in rows
+        for origins in permutations(board.storage_cells, 2)
+    ]
+    summary = summarise(learn_grounded(plays, features=["cells", "prime"]))
+    assert summary.rules[2:] == (EveryToken(Not(has("prime", "value"))),)
+    assert summary.check is Check.SAME
+
+
+def test_neighbours_by_another_feature_are_a_rule() -> None:
+    deck = numbers(1, 2, 3, 4, 5)
+    board = Board(4, 3)
+    rows = [(v, v + 1, v + 2) for v in (1, 2, 3)]
+    plays = [play(deck, row, shuffled(board, seed, 3), board) for row in rows for seed in range(9)]
+    summary = summarise(learn_grounded(plays, features=["successor"]))
+    assert summary.rules[2:] == (EachPair(Pairs.NEIGHBOURS, StepBy("value", 1)),)
+    assert summary.check is Check.SAME
+
+
+@pytest.mark.parametrize("level", [Level.A, Level.C])
+def test_a_board_of_20_x_20_with_100_tokens_is_compared(level: Level) -> None:
+    board = Board(20, 20)
+    deck = numbers(*range(1, 101))
+    rng = random.Random(3)  # noqa: S311 - seeded, for a test
+    plays = [
+        play(deck, sorted(rng.sample(range(1, 101), 20)), shuffled(board, seed, 20), board)
+        for seed in range(5)
+    ]
+    summary = summarise(learn_grounded(plays, level))
+    assert summary.rules == (LEFT_TO_RIGHT, FullRow(), Ordered("value"))
+    assert summary.check is Check.WIDER
+
+
+def test_too_many_rows_to_tell_apart_are_not_compared() -> None:
+    board = Board(20, 20)
+    deck = Deck(
+        tuple(
+            Token(TokenId(f"t{k:03}"), (("value", k), ("colour", "rb"[k % 2]))) for k in range(100)
+        )
+    )
+    rng = random.Random(4)  # noqa: S311 - seeded, for a test
+
+    def row() -> list[str]:
+        reds, blues = rng.sample(range(0, 100, 2), 10), rng.sample(range(1, 100, 2), 10)
+        return [f"t{k:03}" for pair in zip(reds, blues, strict=True) for k in pair]
+
+    plays: list[Demonstration] = []
+    for seed in range(2):
+        ids = row()
+        origins = shuffled(board, seed, 100)
+        rest = [t.id for t in deck.tokens if t.id not in ids]
+        start = State(board, dict(zip([*map(TokenId, ids), *rest], origins, strict=True)))
+        moves = tuple(
+            Move(TokenId(i), start.cells[TokenId(i)], goal)
+            for i, goal in zip(ids, board.goal_cells, strict=True)
+        )
+        plays.append(Demonstration(deck, start, moves))
+    summary = summarise(learn_grounded(plays, features=["different:colour"]))
+    assert summary.check is Check.NOT_COMPARED
+    assert summary.gaps == ()
