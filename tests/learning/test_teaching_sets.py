@@ -162,13 +162,17 @@ def test_an_exercise_without_a_right_play_needs_no_demonstration() -> None:
     assert teaching_set(plays, vocabulary) == TeachingSet((), 0)
 
 
-def test_where_the_most_telling_plays_are_not_the_fewest_the_fewest_are_found() -> None:
+def test_where_greedy_takes_too_many_plays_the_fewest_are_found() -> None:
     deck = numbers(3)
     plays = RightPlays(Board(2, 3), deck, from_left, from_left, lengths=frozenset({2}))
     vocabulary = Vocabulary(plays.board, deck, Level.A, select_features(deck, None))
-    found = teaching_set(plays, vocabulary)
+
+    def take_all(plays: RightPlays, *_rest: object) -> tuple[Demonstration, ...]:
+        return tuple(plays.play(number) for number in range(plays.count))
+
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(teaching_sets, "MAX_LISTED", -1)
-        greedy = teaching_set(plays, vocabulary)
+        patch.setattr(teaching_sets, "_greedy", take_all)
+        found = teaching_set(plays, vocabulary)
     assert found.is_smallest
-    assert len(found.demonstrations) == 6 < len(greedy.demonstrations)
+    assert len(found.demonstrations) == 6
+    assert teaches(found.demonstrations, plays, vocabulary)

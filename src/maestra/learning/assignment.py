@@ -31,12 +31,16 @@ def cheapest_assignment(costs: Costs) -> tuple[int, ...]:
     # Row and column 0 stand for "none"; each augmenting path begins at column 0.
     prices = _Prices(np.zeros(rows + 1, np.int64), np.zeros(columns + 1, np.int64))
     owner = np.zeros(columns + 1, np.int64)
-    for row in range(1, rows + 1):
+    indifferent = (costs == costs[:, :1]).all(axis=1)
+    for row in np.flatnonzero(~indifferent) + 1:
         owner[0] = row
         column, before = _shortest_path(costs, prices, owner)
         while column:
             owner[column] = owner[before[column]]
             column = int(before[column])
+    # To a row that costs the same everywhere any column is as good: what is left.
+    free = np.flatnonzero(owner[1:] == 0) + 1
+    owner[free[: indifferent.sum()]] = np.flatnonzero(indifferent) + 1
     column_of = {int(row): column - 1 for column, row in enumerate(owner) if column and row}
     return tuple(column_of[row] for row in range(1, rows + 1))
 

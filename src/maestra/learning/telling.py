@@ -14,7 +14,7 @@ its moves x tokens x storage cells and the assignment.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import partial
 from typing import Final, TypeAlias
@@ -31,8 +31,8 @@ from maestra.rules.vocabulary import Vocabulary
 
 MAX_ARRANGED: Final = 64
 """Sequences for which the best start is computed before the best so far is good enough."""
-MAX_COSTS: Final = 5_000_000
-"""Costs of a token on a cell in a step that are summed up for that: seconds."""
+MAX_COSTS: Final = 1_500_000
+"""Costs of a token on a cell in a step that are summed up for that: a second."""
 
 Counts: TypeAlias = np.ndarray[tuple[int, ...], np.dtype[np.int64]]
 Open: TypeAlias = Mapping[tuple[int, int], int]
@@ -129,20 +129,26 @@ class MostTelling:
         bounds = np.zeros(len(shown), np.int64)
         for step in range(shown.shape[1]):
             moved, cells = shown[:, step], destinations[:, step]
-            bounds += _for_each(partial(self._still_open, group, step), moved, cells)
+            placed = self._surely_placed(group, step)
+            bounds += _for_each(partial(self._still_open, placed, step), moved, cells)
             for earlier in range(step):
                 there, at = shown[:, earlier], destinations[:, earlier]
                 bounds -= _for_each(partial(self._held, step), moved, there, at)
         return bounds
 
-    def _still_open(self, group: PlayGroup, step: int, moved: int, cell: int) -> int:
+    def _still_open(self, placed: Sequence[int], step: int, moved: int, cell: int) -> int:
         """The open literals that do not hold wherever the move begins."""
-        holding = bits = self._open.get((moved, step + 1), 0)
-        goal, arrangements = self._plays.board.goal_cells[cell], group.arrangements
-        for origin in self._plays.board.storage_cells if bits else ():
-            if arrangements.may_begin_at(step, origin):
-                holding &= self._vocabulary.placed(origin, goal)
-        return (bits & ~holding).bit_count()
+        return (self._open.get((moved, step + 1), 0) & ~placed[cell]).bit_count()
+
+    def _surely_placed(self, group: PlayGroup, step: int) -> list[int]:
+        """For each goal cell the literals that hold of a move there, wherever it begins."""
+        storage, goal = self._plays.board.storage_cells, self._plays.board.goal_cells
+        origins = [cell for cell in storage if group.arrangements.may_begin_at(step, cell)]
+        placed = [~0] * len(goal)
+        for index in {int(cell) for cell in group.destinations[:, step]}:
+            for origin in origins:
+                placed[index] &= self._vocabulary.placed(origin, goal[index])
+        return placed
 
     def _held(self, step: int, moved: int, other: int, cell: int) -> int:
         """The open literals that hold while a token showing `other` lies on a goal cell."""

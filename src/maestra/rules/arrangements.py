@@ -55,9 +55,7 @@ class Arrangements:
 
     def may_begin_at(self, step: int, cell: Cell) -> bool:
         """Whether the token of `step` (from 0) lies on `cell` in some arrangement."""
-        if not self._allows(step, cell):
-            return False
-        return self._ways(0, self._without(self._sizes, self._kind[cell]), step) > 0
+        return self._beginnings[step][self._kind[cell]]
 
     def may_be_spared(self, cell: Cell) -> bool:
         """Whether in some arrangement no moved token begins on `cell`."""
@@ -85,6 +83,17 @@ class Arrangements:
             number, index = divmod(number, len(free))
             chosen.append(free.pop(index))
         return tuple(chosen)
+
+    @cached_property
+    def _beginnings(self) -> tuple[tuple[bool, ...], ...]:
+        """For each step and kind of cell, whether the step's token may begin on such a cell."""
+        return tuple(
+            tuple(
+                steps[step] and self._ways(0, self._without(self._sizes, kind), step) > 0
+                for kind, steps in enumerate(self._kinds)
+            )
+            for step in range(len(self.origins))
+        )
 
     def _allows(self, step: int, cell: Cell) -> bool:
         allowed = self.origins[step]
