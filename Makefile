@@ -94,7 +94,7 @@ nightly-setup:
 	@VENV=.venv-nightly scripts/environment.sh nightly
 
 FUZZ_SECONDS ?= 120
-FUZZ_TARGETS := demonstrations
+FUZZ_TARGETS := demonstrations plays exercises words
 
 .PHONY: fuzz
 fuzz: nightly-setup ## invented bytes into every reader, FUZZ_SECONDS=120 each
