@@ -62,8 +62,10 @@ def test_judge_and_moves_refuse_the_same(
         ),
         (
             changed((("format",), "maestra.demonstration/2")),
-            'line 1: format: "maestra.demonstration/2", which needs a newer Maestra, '
-            'expected "maestra.demonstration/1" or older',
+            (
+                'line 1: format: "maestra.demonstration/2", which needs a newer Maestra, '
+                'expected "maestra.demonstration/1" or older'
+            ),
         ),
         (
             changed((("format",), "maestra.exercise/1")),
@@ -158,7 +160,7 @@ def test_a_file_that_is_not_there_is_refused(
 
 def test_a_play_on_another_board_than_the_exercises_is_refused(exercise: Path) -> None:
     play = json.loads((EXAMPLES / "plays" / "ascending.jsonl").read_text().splitlines()[0])
-    play |= {"board": {"rows": 5}, "moves": []}
+    play |= {"board": {"rows": 5}, "moves": [], "times_ms": []}
     for command in ("judge", "moves"):
         ran = maestra(command, exercise, "-", typed=json.dumps(play).encode())
         assert (ran.code, ran.out) == (2, "")
