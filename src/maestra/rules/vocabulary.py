@@ -30,6 +30,7 @@ if TYPE_CHECKING:
     from maestra.core.board import Board, Cell
     from maestra.core.tokens import Attributes, Deck, TokenId
     from maestra.rules.features import Feature
+    from maestra.rules.registry import CellValue
 
     Bits = int
 
@@ -244,9 +245,19 @@ class Vocabulary:
         return {}
 
     def _work_out_placed(self, origin: Cell, destination: Cell) -> Bits:
-        places = self._placed_places
-        found = (Placed(f, f.of(self.board, origin, destination)) for f in self.cell_features)
-        return sum(1 << places[literal] for literal in found if literal in places)
+        board = self.board
+        return sum(
+            bits.get(feature.of(board, origin, destination), 0)
+            for feature, bits in self._placed_bits.items()
+        )
+
+    @cached_property
+    def _placed_bits(self) -> Mapping[CellFeature, Mapping[CellValue, Bits]]:
+        """For each feature of the move's cells, the bit of each of its values."""
+        bits: dict[CellFeature, dict[CellValue, Bits]] = {}
+        for place, literal in enumerate(self._placed):
+            bits.setdefault(literal.feature, {})[literal.value] = 1 << place
+        return bits
 
     @cached_property
     def _block(self) -> tuple[Related | Shows | Contains, ...]:
