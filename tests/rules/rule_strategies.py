@@ -326,7 +326,8 @@ def rules_for(deck: Deck, board: Board) -> st.SearchStrategy[Rule]:
 
 def every_way_on(play: Play) -> list[Play]:
     """The play and all that continue it: the slow and obvious list."""
-    found, todo = [], [play]
+    found: list[Play] = []
+    todo = [play]
     while todo:
         now = todo.pop()
         found.append(now)

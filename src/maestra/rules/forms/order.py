@@ -62,6 +62,10 @@ class Ordered(Pairwise):
     line: Line = Line.ROW
     form: Literal["ordered"] = field(default="ordered", kw_only=True, repr=False)
 
+    def along(self) -> Line:
+        """The line of the rule."""
+        return self.line
+
     def links(self, setting: Setting) -> Iterator[Link]:
         """Every pair."""
         comparison = order_of(self.direction, strict=self.strict)
