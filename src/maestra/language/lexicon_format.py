@@ -89,9 +89,7 @@ class WordsJson(_Strict):
     )
     values: Annotated[
         dict[_Word, dict[_Word, _ByLanguage]],
-        Field(
-            description="Attribute, value as tokens show it, and its word in each language."
-        ),
+        Field(description="Attribute, value as tokens show it, and its word in each language."),
     ] = Field(default_factory=dict[str, dict[str, _ByLanguage]])
     relations: dict[_Word, dict[Literal["en", "es", "ca"], RelationJson]] = Field(
         default_factory=dict[str, dict[Literal["en", "es", "ca"], RelationJson]]

@@ -152,8 +152,8 @@ class Reasons:
         relation = relation_of(rule)
         other = say(Key.TOKEN_ON_ITS_LEFT, token=shown[0])
         yield _not_so(Two(self._tokens, shown[1], other).stands(relation))
-        nameless = say(Key.THE_ONE_ON_ITS_LEFT)
-        yield _not_so(Two(self._tokens, say(Key.IT), nameless).stands(relation))
+        for shorter in (other, say(Key.THE_ONE_ON_ITS_LEFT)):
+            yield _not_so(Two(self._tokens, say(Key.IT), shorter).stands(relation))
 
     def _of_pattern(self, rule: Pattern) -> Iterator[Say]:
         """What belongs where the token was put, if that is one thing."""

@@ -10,7 +10,7 @@ from typing import Final, assert_never
 
 from maestra.core.board import Board
 from maestra.core.tokens import Attributes, Deck, Value
-from maestra.language.keys import Predicate
+from maestra.language.keys import Key, Predicate
 from maestra.language.phrases import (
     Adjective,
     AttributeNamed,
@@ -78,7 +78,10 @@ class Speaker:
         """The phrase in words, with what others agree with."""
         match phrase:
             case Say(key, parts):
-                return Spoken(self._fill(self.words.sentences[key], self._parts(parts)))
+                text = self._fill(self.words.sentences[key], self._parts(parts))
+                # Adjectives said of "it" agree with the noun for a token.
+                it = key is Key.IT
+                return replace(self.grammar.token, text=text) if it else Spoken(text)
             case Does():
                 return self._does(phrase)
             case Several():
