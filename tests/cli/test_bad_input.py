@@ -114,8 +114,10 @@ def test_a_line_of_a_gigabyte_is_refused_before_it_is_read(
     [
         (
             "less-then",
-            "--features less-then: unknown feature, "
-            "expected a known one, the nearest is less-than",
+            (
+                "--features less-then: unknown feature, "
+                "expected a known one, the nearest is less-than"
+            ),
         ),
         (
             "vowel",

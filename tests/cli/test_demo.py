@@ -300,7 +300,9 @@ def test_a_whole_session_can_be_piped_in_each_language(language: Language) -> No
     assert (ran.code, ran.err) == (0, "")
     assert "┃ C  ┃ U  ┃ R  ┃ I  ┃ E  ┃" in ran.out
     assert "\x1b" not in ran.out
-    assert ran.out.splitlines()[-1] == end(Speech(language, NO_LEXICON))[1][0].text  # type: ignore[union-attr] - it says goodbye
+    (goodbye,) = end(Speech(language, NO_LEXICON))[1]
+    assert isinstance(goodbye, Said)
+    assert ran.out.splitlines()[-1] == goodbye.text
 
 
 def test_the_session_ends_cleanly_where_the_input_does() -> None:

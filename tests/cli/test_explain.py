@@ -92,7 +92,7 @@ def test_what_is_listed_can_be_selected(tmp_path: Path) -> None:
 
 
 def test_a_decks_own_relations_are_listed(tmp_path: Path) -> None:
-    line = {
+    line: dict[str, object] = {
         "format": "maestra.demonstration/1",
         "board": {},
         "tokens": {"a": {"name": "cup"}, "b": {"name": "saucer"}},

@@ -8,7 +8,12 @@ from tests.cli.running import EXAMPLES, learned, maestra
 
 PLAYS = EXAMPLES / "plays" / "ascending.jsonl"
 POSITIONS = EXAMPLES / "positions" / "ascending.jsonl"
-RIGHT = {"verdict": "allowed", "certainty": "certain", "broken": [], "reason": ""}
+RIGHT: dict[str, object] = {
+    "verdict": "allowed",
+    "certainty": "certain",
+    "broken": [],
+    "reason": "",
+}
 
 
 @pytest.fixture(name="exercise", scope="module")

@@ -9,9 +9,9 @@ from maestra.core.formats import decode_demonstration
 from maestra.language import NO_LEXICON, Language
 from maestra.learning.planning import (
     NoEngine,
+    Outcome,
     OutOfMemory,
     OutOfTime,
-    Outcome,
     ProvenUnsolvable,
     Unsupported,
 )
@@ -198,7 +198,10 @@ def test_the_json_of_planning_names_the_engine(tmp_path: Path) -> None:
 def test_an_engine_without_an_answer_is_bad_input(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, outcome: Outcome, fault: str
 ) -> None:
-    monkeypatch.setattr("maestra.cli.learning.learn_compiled", lambda *_: outcome)
+    def learn_compiled(*_arguments: object) -> Outcome:
+        return outcome
+
+    monkeypatch.setattr("maestra.cli.learning.learn_compiled", learn_compiled)
     ran = maestra("learn", ASCENDING, "-o", tmp_path / "x.json", "--learner", "compiled")
     assert (ran.code, ran.out) == (2, "")
     assert ran.err == f"maestra: --engine clingo: {fault}\n"

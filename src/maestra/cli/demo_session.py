@@ -198,7 +198,7 @@ class _Teacher:
             case Unclear():
                 return self._stay(_unknown(self.speech))
 
-    def _obey(self, word: Word, count: int) -> Step:  # noqa: PLR0911 - one case a command
+    def _obey(self, word: Word, count: int) -> Step:
         match word:
             case Word.UNDO:
                 return self._undo()
@@ -303,7 +303,7 @@ class _Player:
             case Unclear():
                 return self.stage, (_unknown(self.speech),)
 
-    def _obey(self, word: Word) -> Step:  # noqa: PLR0911 - one case a command
+    def _obey(self, word: Word) -> Step:
         match word:
             case Word.HINT:
                 return self.stage, (self._hint(),)
