@@ -10,11 +10,13 @@ from pydantic_core import core_schema
 
 from maestra.core.formats import DEMONSTRATION_FORMAT, DemonstrationJson
 from maestra.rules.exercise_format import EXERCISE_FORMAT, ExerciseJson
+from maestra.rules.rule_json import RULES_FORMAT, RulesJson
 
 FOLDER: Final = Path(__file__).parents[1] / "docs" / "schemas"
 MODELS: Final[dict[str, type[BaseModel]]] = {
     DEMONSTRATION_FORMAT: DemonstrationJson,
     EXERCISE_FORMAT: ExerciseJson,
+    RULES_FORMAT: RulesJson,
 }
 """Each format with the model that reads it."""
 
