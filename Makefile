@@ -59,7 +59,7 @@ wheel: setup ## build the wheel, install it into an empty environment, use it th
 .PHONY: tests
 tests: setup ## the tests, with the coverage each package must have
 	@printf '\n== tests\n'
-	@$(BIN)/python -m pytest --numprocesses=2 --hypothesis-profile=ci \
+	@$(BIN)/python -m pytest --numprocesses=2 --dist=worksteal --hypothesis-profile=ci \
 		--cov --cov-report=term-missing:skip-covered --coverage-floors --durations=10 --durations-min=3
 
 .PHONY: format
