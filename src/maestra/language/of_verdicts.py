@@ -80,8 +80,8 @@ class Reasons:
             case AfterTheEnd():
                 yield say(Key.AFTER_THE_END)
             case NotShown(action):
-                yield from self._of_rules()
-                yield from self._of_unknown(action)
+                broken = list(self._of_rules())
+                yield from broken or self._of_unknown(action)
             case BrokenPrecondition(_, literals):
                 yield from self._of_rules()
                 yield from self._of_literals(literals)
@@ -199,33 +199,26 @@ class Reasons:
         match literal:
             case Placed():
                 yield self._of_cells(literal)
-                return
             case Contains(cell, shown):
                 yield say(Key.BELONGS_THERE, token=Named(shown), place=Place(cell))
-                return
             case Related() | Shows():
-                pass
+                yield from self._of_content(literal)
             case _:
                 assert_never(literal)
+
+    def _of_content(self, literal: Related | Shows) -> Iterator[Say]:
+        """What lies on a cell is not as it should be, or nothing lies there."""
         lying = self.judged.before.tokens.get(literal.cell)
         if lying is None:
             yield say(Key.NOTHING_THERE, place=Place(literal.cell))
             return
-        there = Named(self.deck.by_id[lying].attributes)
-        place = self._beside(literal.cell, there)
-        match literal:
-            case Shows(_, feature):
-                yield _not_so(self._tokens.has(feature, place))
-            case Related(cell, feature, converse):
-                for subject, other in (
-                    (self._moved, place),
-                    (say(Key.IT), say(Key.WHAT_LIES_THERE, place=Place(cell))),
-                ):
-                    yield _not_so(
-                        Two(self._tokens, subject, other).has(feature, converse=converse)
-                    )
-            case _:
-                assert_never(literal)
+        there = self._beside(literal.cell, Named(self.deck.by_id[lying].attributes))
+        if isinstance(literal, Shows):
+            yield _not_so(self._tokens.has(literal.feature, there))
+            return
+        for subject in (self._moved, say(Key.IT)):
+            two = Two(self._tokens, subject, there)
+            yield _not_so(two.has(literal.feature, converse=literal.converse))
 
     def _beside(self, cell: Cell, there: Named) -> Say:
         """A token on `cell`, seen from where the moved one goes."""

@@ -10,7 +10,7 @@ from typing import Final, assert_never
 
 from maestra.core.board import Board
 from maestra.core.tokens import Attributes, Deck, Value
-from maestra.language.keys import Key, Predicate
+from maestra.language.keys import Predicate
 from maestra.language.phrases import (
     Adjective,
     AttributeNamed,
@@ -74,14 +74,14 @@ class Speaker:
         text = self.spoken(phrase).text
         return text[:1].upper() + text[1:]
 
-    def spoken(self, phrase: Phrase) -> Spoken:  # noqa: C901, PLR0911, PLR0912 - one case for each kind of phrase
+    def spoken(self, phrase: Phrase) -> Spoken:  # noqa: C901, PLR0912 - one case for each kind of phrase
         """The phrase in words, with what others agree with."""
         match phrase:
             case Say(key, parts):
-                text = self._fill(self.words.sentences[key], self._parts(parts))
-                # Adjectives said of "it" agree with the noun for a token.
-                it = key is Key.IT
-                return replace(self.grammar.token, text=text) if it else Spoken(text)
+                spoken = self._parts(parts)
+                text = self._fill(self.words.sentences[key], spoken)
+                # What is said of "46 on its left" agrees with 46, of "the last" with a token.
+                return Spoken(text, gender=spoken.get("token", self.grammar.token).gender)
             case Does():
                 return self._does(phrase)
             case Several():
