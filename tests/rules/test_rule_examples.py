@@ -21,18 +21,22 @@ from maestra.rules.completability import (
     MoveUndecided,
     Undecided,
 )
+from maestra.rules.domains import can_match
 from maestra.rules.forms.base import FIRST, Position
 from maestra.rules.forms.counting import Count, Equation, Operation, Total
 from maestra.rules.forms.length import FullRow
 from maestra.rules.forms.numbers import can_add_up
-from maestra.rules.forms.order import Ordered
+from maestra.rules.forms.order import Ordered, RiseAndFall, Zigzag
+from maestra.rules.forms.patterns import Blocks
 from maestra.rules.forms.relations import EachPair, Pairs
-from maestra.rules.forms.timing import Filling, FillOrder
+from maestra.rules.forms.selection import EveryToken
+from maestra.rules.forms.timing import Filling, FillOrder, Follows
 from maestra.rules.pairs import AddUp, Step
 from maestra.rules.plays import Plays
 from maestra.rules.rule import Rule, holding
 from maestra.rules.setting import ORIGIN_COLUMN, ORIGIN_ROW, Line, Play, Setting, play_of
-from maestra.rules.token_tests import Comparison, Not, has, passing
+from maestra.rules.token_tests import Compared, Comparison, Either, Not, has, passing
+from tests.rules.rule_strategies import every_way_on
 
 BOARD = Board(4, 5)
 
@@ -207,3 +211,98 @@ def test_numbers_too_large_for_64_bits_are_still_exact() -> None:
     rule = Equation("value", (FIRST, Position(2)), (), Decimal(10**15), Operation.PRODUCT)
     assert not rule.holds(play)
     assert holding([rule], Plays.of(setting, [play])).tolist() == [False]
+
+
+def test_a_sum_of_none_is_nothing() -> None:
+    assert can_add_up([3], range(2), 0)
+    assert not can_add_up([3], range(1, 2), 0)
+
+
+def test_slots_that_share_too_few_tokens_cannot_be_matched() -> None:
+    assert can_match({0: 0b11, 1: 0b01}, (0, 1))
+    assert not can_match({0: 0b01, 1: 0b01}, (0, 1))
+    assert not can_match({0: 0b01, 1: 0b11, 2: 0b11}, (0, 1, 2))
+
+
+def test_three_tokens_that_are_too_few_for_four_cells_are_found_out() -> None:
+    rules: tuple[Rule, ...] = (EveryToken(has("below-33", "value")), FullRow())
+    assert Conjunction(rules, TEN).outlook(Play.begin(TEN)) == DeadEnd()
+
+
+def test_what_lies_there_from_the_start_takes_no_time() -> None:
+    setting = numbers(1, 2, 3, board=Board(2, 3))
+    cells = {**setting.start.cells, TokenId("002"): Cell(Row(1), Column(2))}
+    given = Setting(setting.deck, State(setting.start.board, cells))
+    rules = (Ordered("value", line=Line.TIME), FillOrder(Filling.RIGHT_TO_LEFT), FullRow())
+    outlook = Conjunction(rules, given).outlook(Play.begin(given))
+    assert isinstance(outlook, Completable)
+    assert outlook.example.placed == ((0, 2), (2, 0))
+
+
+def test_a_value_that_the_order_does_not_name_compares_to_nothing() -> None:
+    deck = Deck((Token(TokenId("a"), (("size", "small"),)),), {"size": ("small", "large")})
+    setting = Setting(deck, State(BOARD, {TokenId("a"): Cell(Row(2), Column(1))}))
+    assert passing(setting, Compared("size", Comparison.AT_MOST, "gigantic")) == 0
+    assert passing(setting, Compared("size", Comparison.AT_MOST, "large")) == 1
+
+
+THREE = numbers(1, 2, 3, 4, board=Board(3, 3))
+"""Four tokens, three goal cells."""
+
+
+def begun(setting: Setting, *moves: tuple[int, int]) -> Play:
+    play = Play.begin(setting)
+    for token, cell in moves:
+        play = play.after(token, cell)
+    return play
+
+
+def coloured(names: str, columns: int = 4) -> Setting:
+    """``r1`` is red; ``x`` shows nothing."""
+    tokens = tuple(
+        Token(TokenId(name), () if name == "x" else (("colour", name[0]),))
+        for name in names.split()
+    )
+    board = Board(4, columns)
+    places = zip(tokens, board.storage_cells, strict=False)
+    return Setting(Deck(tokens), State(board, {token.id: cell for token, cell in places}))
+
+
+RED, BLUE = has("is-r", "colour"), has("is-b", "colour")
+AT_ONCE = Follows(RED, BLUE, line=Line.ROW)
+CORNERS: list[tuple[Rule, Play]] = [
+    (RiseAndFall("value"), begun(THREE, (0, 0))),
+    (RiseAndFall("value"), begun(THREE, (3, 0), (2, 1))),
+    (Zigzag("value"), begun(THREE)),
+    (Zigzag("value"), begun(THREE, (0, 0), (3, 1))),
+    (Zigzag("value"), begun(THREE, (0, 0), (3, 2))),
+    (Zigzag("value"), begun(numbers(1, 3, board=Board(2, 3)))),
+    (Blocks("colour"), begun(coloured("r1 r2 x"))),
+    (Blocks("colour"), begun(coloured("r1 r2 r3"))),
+    (Blocks("colour"), begun(coloured("r1 b1 g1"))),
+    (Blocks("colour"), begun(coloured("r1 r2 b1"), (0, 0), (2, 3))),
+    (AT_ONCE, begun(coloured("r1 b1"), (1, 3))),
+    (AT_ONCE, begun(coloured("r1 b1 b2"), (2, 3))),
+    (AT_ONCE, begun(coloured("b1 g1 r1"), (2, 0), (0, 2))),
+    (AT_ONCE, begun(coloured("b1 g1 r1"), (2, 0), (1, 2))),
+    (AT_ONCE, begun(coloured("g1 r1"), (1, 0), (0, 2))),
+    (AT_ONCE, begun(coloured("r1 b1"), (0, 3))),
+    (Follows(RED, Either(RED, BLUE), line=Line.ROW), begun(coloured("b1 r1 r2"), (1, 0), (0, 2))),
+    (
+        Total("value", Comparison.AT_LEAST, 1),
+        begun(coloured("r1 b1")),
+    ),
+]
+
+
+@pytest.mark.parametrize(("rule", "play"), CORNERS)
+def test_prospects_are_exact_in_corners(rule: Rule, play: Play) -> None:
+    right = [rule.holds(way) for way in every_way_on(play)]
+    assert rule.possible(play) is any(right)
+    assert rule.certain(play) is all(right)
+
+
+def test_a_total_of_tokens_without_numbers_needs_more_of_them() -> None:
+    play = begun(coloured("r1 b1"))
+    assert not Total("value", Comparison.EQUAL, 0).possible_with(play, 1)
+    assert Total("value", Comparison.EQUAL, 0).possible_with(play, 0)

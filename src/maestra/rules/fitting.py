@@ -119,7 +119,14 @@ def _needs_of_test(test: TokenTest) -> Iterator[Need]:
 
 
 def _relations_of(rule: Rule) -> Iterator[str]:
-    if isinstance(rule, EachPair | TwoPlaces | ModelRow | Cue) and isinstance(
-        rule.relation, Named
-    ):
-        yield rule.relation.name
+    match rule:
+        case (
+            EachPair(relation=Named(name))
+            | TwoPlaces(relation=Named(name))
+            | ModelRow(relation=Named(name))
+            | Cue(relation=Named(name))
+            | Word(relation=str(name))
+        ):
+            yield name
+        case _:
+            return
