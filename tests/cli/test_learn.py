@@ -90,13 +90,31 @@ def test_the_json_of_a_lesson_that_is_not_clear(tmp_path: Path, few: Path) -> No
     assert shown.moves
 
 
-def test_what_to_show_next_makes_the_rules_no_stricter(tmp_path: Path, few: Path) -> None:
-    first = json.loads(maestra("learn", few, "-o", tmp_path / "x.json", "--json").out)
-    more = few.read_text() + json.dumps(first["next_demonstration"])
-    ran = maestra("learn", "-", "-o", tmp_path / "x.json", "--json", typed=more.encode())
-    second = json.loads(ran.out)
-    assert second["rules"][0]["confidence"] >= first["rules"][0]["confidence"]
-    assert second["demonstrations"] == 4
+def test_showing_what_is_asked_for_makes_all_clear_in_the_end(tmp_path: Path, few: Path) -> None:
+    lines = few.read_text()
+    sure = 0.0
+    for _ in range(20):
+        ran = maestra("learn", "-", "-o", tmp_path / "x.json", "--json", typed=lines.encode())
+        answer = json.loads(ran.out)
+        if answer["status"] == "learned":
+            break
+        assert answer["rules"][0]["confidence"] >= sure
+        sure = answer["rules"][0]["confidence"]
+        lines += json.dumps(answer["next_demonstration"]) + "\n"
+    assert ran.code == 0
+    assert answer["demonstrations"] <= 20
+
+
+def test_a_shown_play_is_asked_for_again_where_the_rules_allow_too_much_to_list(
+    tmp_path: Path,
+) -> None:
+    shown = EXAMPLES / "first-row.jsonl"
+    ran = maestra("learn", shown, "-o", tmp_path / "x.json", "--json")
+    assert ran.code == 1
+    asked = json.loads(ran.out)["next_demonstration"]["moves"]
+    placed = [(move["token"], move["destination"]) for move in asked]
+    plays = [json.loads(line)["moves"] for line in shown.read_text().splitlines()]
+    assert placed in [[(move["token"], move["destination"]) for move in play] for play in plays]
 
 
 @pytest.mark.parametrize(
