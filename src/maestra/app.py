@@ -10,6 +10,9 @@ from maestra.planners import PLANNERS
 if TYPE_CHECKING:
     from maestra.learning.planning import Planner
 
+PLANNER_NAMES: Final = tuple(PLANNERS)
+"""The planners that `planner_named` knows."""
+
 
 def planner_named(name: str) -> Planner:
     """The planner of this name; whether its engine is installed shows when it solves.
