@@ -413,3 +413,13 @@ def test_a_token_is_labelled_with_what_people_look_for(
     attributes: tuple[tuple[str, int | str], ...], text: str
 ) -> None:
     assert label(Token(TokenId("t1"), attributes)) == text
+
+
+def test_control_c_ends_the_session_on_a_line_of_its_own(monkeypatch: pytest.MonkeyPatch) -> None:
+    def interrupted(_prompt: str) -> str:
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr("builtins.input", interrupted)
+    ran = maestra("demo", "--seed", "1")
+    assert (ran.code, ran.err) == (130, "")
+    assert ran.out.endswith("\n\n")
