@@ -20,13 +20,15 @@ from maestra.rules.completability import (
     MoveRefused,
     MoveUndecided,
     Undecided,
+    _Search,
 )
 from maestra.rules.domains import can_match
 from maestra.rules.forms.base import FIRST, Position
+from maestra.rules.forms.conditions import At, IfThen
 from maestra.rules.forms.counting import Count, Equation, Operation, Total
 from maestra.rules.forms.length import FullRow
 from maestra.rules.forms.numbers import can_add_up
-from maestra.rules.forms.order import Ordered, RiseAndFall, Zigzag
+from maestra.rules.forms.order import EqualSteps, Ordered, RiseAndFall, Zigzag
 from maestra.rules.forms.patterns import Blocks
 from maestra.rules.forms.relations import EachPair, Pairs
 from maestra.rules.forms.selection import EveryToken
@@ -270,7 +272,20 @@ def coloured(names: str, columns: int = 4) -> Setting:
 
 RED, BLUE = has("is-r", "colour"), has("is-b", "colour")
 AT_ONCE = Follows(RED, BLUE, line=Line.ROW)
+ONE_RED = Count(RED, Comparison.EQUAL, 1)
 CORNERS: list[tuple[Rule, Play]] = [
+    (RiseAndFall("value"), begun(coloured("r1 b1"))),
+    (EqualSteps("value"), begun(coloured("r1 b1"))),
+    (EqualSteps("value"), begun(coloured("r1 b1"), (0, 0), (1, 1))),
+    (EqualSteps("value"), begun(THREE)),
+    (EqualSteps("value"), begun(THREE, (0, 0), (1, 1))),
+    (EqualSteps("value"), begun(THREE, (0, 0), (1, 1), (2, 2))),
+    (EqualSteps("value"), begun(THREE, (0, 0), (1, 1), (3, 2))),
+    (EqualSteps("value", ratio=True), begun(numbers(0, 1, 2, board=Board(3, 3)))),
+    (EqualSteps(ORIGIN_ROW), begun(numbers(1, 2, 3, board=Board(3, 3)))),
+    (EqualSteps("value"), begun(numbers(1, 2, board=Board(2, 3)))),
+    (IfThen(ONE_RED, ONE_RED), begun(coloured("r1 r2 b1"))),
+    (IfThen(At(FIRST, RED), ONE_RED), begun(coloured("r1 r2 b1"))),
     (RiseAndFall("value"), begun(THREE, (0, 0))),
     (RiseAndFall("value"), begun(THREE, (3, 0), (2, 1))),
     (Zigzag("value"), begun(THREE)),
@@ -306,3 +321,14 @@ def test_a_total_of_tokens_without_numbers_needs_more_of_them() -> None:
     play = begun(coloured("r1 b1"))
     assert not Total("value", Comparison.EQUAL, 0).possible_with(play, 1)
     assert Total("value", Comparison.EQUAL, 0).possible_with(play, 0)
+
+
+def test_the_careful_search_sees_that_tokens_are_too_few_without_trying_any() -> None:
+    rules: tuple[Rule, ...] = (EveryToken(has("below-33", "value")), FullRow())
+    careful = _Search(Conjunction(rules, TEN), 1, careful=True)
+    assert careful.complete(Play.begin(TEN)) is None
+
+
+def test_moves_are_allowed_in_any_cell_where_no_order_of_filling_is_asked() -> None:
+    moves = Conjunction((Ordered("value"), FullRow()), TEN).allowed_moves(Play.begin(TEN))
+    assert moves == tuple((k + cell, cell) for cell in range(5) for k in range(6))
