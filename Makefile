@@ -50,7 +50,7 @@ layers: setup ## the import rule of the house
 
 .PHONY: docs
 docs: setup ## build the documentation into site/
-	$(STEP) docs env NO_MKDOCS_2_WARNING=1 $(BIN)/mkdocs --quiet build --strict
+	$(STEP) docs env NO_MKDOCS_2_WARNING=1 $(BIN)/mkdocs build --strict
 
 .PHONY: wheel
 wheel: setup ## build the wheel, install it into an empty environment, use it there
