@@ -19,8 +19,8 @@ from maestra.rules.completability import (
     MoveAllowed,
     MoveRefused,
     MoveUndecided,
+    Search,
     Undecided,
-    _Search,
 )
 from maestra.rules.domains import can_match
 from maestra.rules.forms.base import FIRST, Position
@@ -325,7 +325,7 @@ def test_a_total_of_tokens_without_numbers_needs_more_of_them() -> None:
 
 def test_the_careful_search_sees_that_tokens_are_too_few_without_trying_any() -> None:
     rules: tuple[Rule, ...] = (EveryToken(has("below-33", "value")), FullRow())
-    careful = _Search(Conjunction(rules, TEN), 1, careful=True)
+    careful = Search(Conjunction(rules, TEN), 1, careful=True)
     assert careful.complete(Play.begin(TEN)) is None
 
 

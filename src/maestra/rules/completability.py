@@ -101,9 +101,9 @@ class Conjunction:
             return DeadEnd()
         try:
             try:
-                found = _Search(self, QUICK_CHOICES, careful=False).complete(play)
+                found = Search(self, QUICK_CHOICES, careful=False).complete(play)
             except _LostError:
-                found = _Search(self, self.careful_choices, careful=True).complete(play)
+                found = Search(self, self.careful_choices, careful=True).complete(play)
         except _LostError:
             return Undecided(self.careful_choices)
         return DeadEnd() if found is None else Completable(found)
@@ -222,7 +222,7 @@ class Conjunction:
 
 
 @dataclass(slots=True)
-class _Search:
+class Search:
     """One search; counts its choices and remembers what it refuted."""
 
     all: Conjunction
