@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import replace
+from typing import Any
 
 import pytest
 
@@ -19,13 +20,16 @@ from maestra.language import (
     reason,
     rule_sentences,
 )
+from maestra.language.languages import speaker_for
+from maestra.language.phrases import Adjective, Degree
 from maestra.learning.grounded import learn_grounded
 from maestra.rules.blame import broken_ids
 from maestra.rules.features import CellFeature, PairFeature, TokenFeature
 from maestra.rules.fields import Position
+from maestra.rules.forms.length import FullRow
 from maestra.rules.forms.order import Ordered
 from maestra.rules.forms.patterns import Pattern
-from maestra.rules.forms.relations import TwoPlaces
+from maestra.rules.forms.relations import EachPair, Pairs, TwoPlaces
 from maestra.rules.forms.selection import AllOfThem, EveryToken
 from maestra.rules.forms.sources import StraightUp
 from maestra.rules.forms.timing import Filling, FillOrder
@@ -40,7 +44,7 @@ from maestra.rules.judging import (
     Verdict,
 )
 from maestra.rules.literals import Contains, Literal, Placed, Related, Shows
-from maestra.rules.pairs import same
+from maestra.rules.pairs import different, same
 from maestra.rules.rule import Rule
 from maestra.rules.strips import Action
 from maestra.rules.summary import Check, Narrow, Step, Summary, Unseen, summarise
@@ -73,9 +77,9 @@ def state(goal: Sequence[int] = ()) -> State:
     return State(BOARD, cells)
 
 
-def summary(*rules: Rule, **others: object) -> Summary:
+def summary(*rules: Rule, **others: Any) -> Summary:  # noqa: ANN401 - any field of a summary
     base = Summary(BOARD, DECK, True, rules, (), frozenset({5}), (), Check.SAME)  # noqa: FBT003 - the field is `places`
-    return replace(base, **others)  # type: ignore[arg-type]  # each test names real fields
+    return replace(base, **others)
 
 
 def judged(value: int, to: Cell, verdict: Verdict | None, goal: Sequence[int] = ()) -> JudgedMove:
@@ -460,3 +464,50 @@ def test_all_of_them_is_no_rule_that_a_single_move_breaks_if_there_is_room() -> 
     of = summary(AllOfThem(has("odd", "value")))
     assert broken_ids(one, of, DECK) == ("placing",)
     assert broken_ids(full, of, DECK) == ("placing",)
+
+
+def test_several_cells_with_one_condition_are_said_together() -> None:
+    said = explain_action(enough("ascending").model, Action(number(34), 4), EN)
+    assert said.sentence == (
+        "34 may go fourth if it goes to row 1, column 4 and it is larger than the tokens in the "
+        "top row, columns 1, 2 and 3."
+    )
+
+
+def test_what_was_compared_is_said_to_be_the_same() -> None:
+    assert check_sentence(summary(), EN).endswith("they say the same.")
+
+
+def test_a_single_condition_that_is_no_cell_is_said_as_a_condition() -> None:
+    gap = Narrow(2, (number(34),), (RELATED,))
+    (said,) = gap_sentences(summary(gaps=(gap,), check=Check.WIDER), EN)
+    assert said.text == (
+        "So far 34 may go second only if it is larger than the token in row 1, column 1."
+    )
+
+
+def test_neighbours_that_do_not_fit_are_named() -> None:
+    twins = Deck((*DECK.tokens, Token(TokenId("u34"), number(34))))
+    before = State(BOARD, {**state([34]).cells, TokenId("u34"): cell(2, 4)})
+    move = Move(TokenId("u34"), cell(2, 4), cell(1, 2))
+    one = JudgedMove(before, move, NotShown(Action(number(34), 2)))
+    of = replace(summary(EachPair(Pairs.NEIGHBOURS, different("value")), FullRow()), deck=twins)
+    assert reason(one, of, twins, ES) == "El 34 no tiene otro número que el 34 de su izquierda."
+
+
+def test_when_no_reason_is_short_enough_a_plain_one_is_left() -> None:
+    long = "the big pot for the onion soup that grandmother made"
+    deck = Deck(
+        tuple(Token(TokenId(f"t{k}"), (("name", f"{long} {k}"), ("size", k))) for k in (1, 2))
+    )
+    before = State(BOARD, {TokenId("t1"): cell(2, 1), TokenId("t2"): cell(1, 1)})
+    shown = deck.by_id[TokenId("t1")].attributes
+    smaller = Related(cell(1, 1), PairFeature("less-than", "size"), converse=False)
+    verdict = BrokenPrecondition(Action(shown, 2), (smaller,))
+    one = JudgedMove(before, Move(TokenId("t1"), cell(2, 1), cell(1, 2)), verdict)
+    assert reason(one, summary(), deck, EN) == "This token does not go here now."
+
+
+def test_a_comparative_alone_agrees_with_a_token() -> None:
+    speaker = speaker_for(ES, BOARD, DECK)
+    assert speaker.sentence(Adjective("size", Degree.LEAST)) == "Más pequeña"

@@ -118,9 +118,7 @@ class Reasons:
             case StraightUp(mirrored=False):
                 yield say(Key.OTHER_COLUMN, token=self._moved)
             case EveryToken(test):
-                said = self._tokens.passes(test, self._moved)
-                if said is not None:
-                    yield say(Key.NOT_SO, does=opposite(said))
+                yield _not_so(Rules(self._tokens).does(test, self._moved))
             case Ordered() | EachPair():
                 yield from self._of_neighbours(rule)
             case Pattern():
@@ -157,11 +155,10 @@ class Reasons:
 
     def _of_pattern(self, rule: Pattern) -> Iterator[Say]:
         """What belongs where the token was put, if that is one thing."""
-        column = self._destination.column
-        if column <= len(rule.tests):
-            value = Rules(self._tokens).value_of(rule.tests[column - 1])
-            if value is not None:
-                yield say(Key.WRONG_PLACE, token=value, place=Place(self._destination))
+        place = (self._destination.column - 1) % len(rule.tests)
+        value = Rules(self._tokens).value_of(rule.tests[place])
+        if value is not None:
+            yield say(Key.WRONG_PLACE, token=value, place=Place(self._destination))
         yield Rules(self._tokens).says(rule)
 
     def _of_unknown(self, action: Action) -> Iterator[Say]:
@@ -206,19 +203,16 @@ class Reasons:
             case _:
                 assert_never(literal)
 
-    def _of_content(self, literal: Related | Shows) -> Iterator[Say]:
+    def _of_content(self, literal: Related | Shows) -> list[Say]:
         """What lies on a cell is not as it should be, or nothing lies there."""
         lying = self.judged.before.tokens.get(literal.cell)
         if lying is None:
-            yield say(Key.NOTHING_THERE, place=Place(literal.cell))
-            return
+            return [say(Key.NOTHING_THERE, place=Place(literal.cell))]
         there = self._beside(literal.cell, Named(self.deck.by_id[lying].attributes))
         if isinstance(literal, Shows):
-            yield _not_so(self._tokens.has(literal.feature, there))
-            return
-        for subject in (self._moved, say(Key.IT)):
-            two = Two(self._tokens, subject, there)
-            yield _not_so(two.has(literal.feature, converse=literal.converse))
+            return [_not_so(self._tokens.has(literal.feature, there))]
+        both = [Two(self._tokens, subject, there) for subject in (self._moved, say(Key.IT))]
+        return [_not_so(two.has(literal.feature, converse=literal.converse)) for two in both]
 
     def _beside(self, cell: Cell, there: Named) -> Say:
         """A token on `cell`, seen from where the moved one goes."""

@@ -83,6 +83,8 @@ class Candidates:
         for filling in _PREFERRED:
             order = FillOrder(filling)
             levels = _levels(order, self.evidence.vocabulary.board.columns)
+            if len(levels) == 1:
+                continue  # that is any order
             steps = [set(level) for level in levels for _ in level]
             if all(cells <= level for cells, level in zip(self._columns_at, steps, strict=False)):
                 return order
@@ -270,6 +272,8 @@ class Candidates:
         if any(len(on_cell[cell]) > 1 for cell in filled):
             return None
         row = [min(on_cell[cell]) for cell in filled]
+        if any(row.count(shown) > self.evidence.of_shown[shown].bit_count() for shown in row):
+            return None
         tests = [self._just(self.evidence.vocabulary.shown[shown]) for shown in row]
         known = tuple(test for test in tests if test is not None)
         if len(known) < len(tests):

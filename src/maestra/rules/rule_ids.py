@@ -39,7 +39,7 @@ def number_equal_ones(names: Sequence[str]) -> tuple[str, ...]:
     return tuple(unique)
 
 
-def _rule_id(rule: Rule) -> str:  # noqa: PLR0911 - one for each form with a name
+def _rule_id(rule: Rule) -> str:
     """A short name for the rules most met, else one made of all that the rule says."""
     match rule:
         case FillOrder(filling):
@@ -73,8 +73,8 @@ def _leaves(written: object) -> Iterator[str]:
     elif isinstance(written, list):
         for each in cast("list[object]", written):
             yield from _leaves(each)
-    elif written is not None and written is not False:
-        yield str(written)
+    else:
+        yield "" if written is None or written is False else str(written)
 
 
 def _kebab(*words: str) -> str:

@@ -29,7 +29,7 @@ from maestra.rules.forms.length import FullRow
 from maestra.rules.forms.timing import FillOrder
 from maestra.rules.literals import Literal
 from maestra.rules.outline import Outline
-from maestra.rules.right_rows import TooManyRowsError
+from maestra.rules.right_rows import UndecidedError
 from maestra.rules.rule import Rule
 from maestra.rules.rule_ids import number_equal_ones, rule_ids
 from maestra.rules.setting import Mask
@@ -263,7 +263,7 @@ class _Draft:
             return None
         try:
             return compare(self.evidence, self._outline)
-        except TooManyRowsError:
+        except UndecidedError:
             return None
 
     def _check(self) -> Check:
