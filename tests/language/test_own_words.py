@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from pathlib import Path
 
 import pytest
 
@@ -156,3 +157,11 @@ def test_a_value_is_named_as_its_attribute_is(
     for language, text in zip(Language, texts, strict=True):
         speaker = speaker_for(language, Board(), DECK)
         assert speaker.spoken(ValueNamed(attribute, value)).text == text
+
+
+def test_the_documented_file_of_words_is_read() -> None:
+    page = Path(__file__).parents[2] / "docs" / "how-to" / "your-own-words.md"
+    written = page.read_text(encoding="utf-8").split("```json\n")[1].split("```")[0]
+    words = read_words(written.encode(), page.name)
+    rule = EachPair(Pairs.NEIGHBOURS, Related("partner"))
+    assert said(rule, ES, words) == "Cada ficha debe ser la pareja de la de su izquierda."
