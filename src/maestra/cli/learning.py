@@ -35,8 +35,8 @@ from maestra.learning.planning_pddl import compiled_pddl
 from maestra.rules.exercise import GroundedExercise
 from maestra.rules.exercise_format import encode_exercise
 from maestra.rules.features import UnknownFeatureError, select_features
-from maestra.rules.summary import summarise
-from maestra.rules.vocabulary import Level, Vocabulary
+from maestra.rules.strips.vocabulary import Level, Vocabulary
+from maestra.rules.summaries.summary import summarise
 
 
 @dataclass(frozen=True, slots=True)
