@@ -96,7 +96,7 @@ class ClingoPlanner:
             return NoEngine(ENGINE, f"its Python package cannot be imported: {error}")
         if not problem.deletes_nothing:
             return Unsupported(ENGINE, "an operator deletes a fluent; this encoding has no order")
-        watch = _Watch(limits)
+        watch = Watch(limits)
         try:
             control = clingo.Control(_QUIET)
             chosen = _fewest(control, _state_rules(control, problem, watch), watch)
@@ -108,7 +108,7 @@ class ClingoPlanner:
         return Solved(tuple(operator.name for operator in plan), ENGINE, watch.seconds)
 
 
-class _Watch:
+class Watch:
     """The limits of one call, measured from when it is made."""
 
     def __init__(self, limits: Limits) -> None:
@@ -136,7 +136,7 @@ def resident_bytes() -> int:
     return int(_STATM.read_bytes().split()[1]) * _PAGE
 
 
-def _state_rules(control: Control, problem: PlanningProblem, watch: _Watch) -> dict[int, Operator]:
+def _state_rules(control: Control, problem: PlanningProblem, watch: Watch) -> dict[int, Operator]:
     """Tell clingo the rules; returns the operators by their atoms."""
     with control.backend() as backend:
         rules = _Rules(backend, problem.initial)
@@ -177,7 +177,7 @@ class _Rules:
 
 
 def _fewest(
-    control: Control, operators: dict[int, Operator], watch: _Watch
+    control: Control, operators: dict[int, Operator], watch: Watch
 ) -> list[Operator] | None:
     """The operators of an optimal model; None if there is no model."""
     chosen: list[Operator] | None = None
