@@ -118,6 +118,7 @@ class Watch:
 
     @property
     def seconds(self) -> float:
+        """How long the call has taken."""
         return time.perf_counter() - self._started
 
     def check(self, memory_factor: int = 1) -> None:
