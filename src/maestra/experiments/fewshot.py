@@ -12,6 +12,7 @@ from random import Random
 from typing import Final
 
 import numpy as np
+from numpy.typing import NDArray
 
 from maestra.core.demonstration import Demonstration
 from maestra.core.state import State
@@ -26,6 +27,7 @@ from maestra.experiments.random_exercises import (
     start_of,
     truths,
 )
+from maestra.learning.fewshot.learner import learn
 from maestra.learning.fewshot.lesson import (
     Answer,
     Lesson,
@@ -35,20 +37,21 @@ from maestra.learning.fewshot.lesson import (
     RowQuestion,
     RuleQuestion,
     Status,
-    learn,
 )
 from maestra.learning.fewshot.questions import next_question
 from maestra.learning.fewshot.space import Context, Order, rows_of
+from maestra.rules.looks import lines_of
 from maestra.rules.plays import NOBODY, Tokens
 from maestra.rules.rule import Rule, holding
 from maestra.rules.setting import Line, Play, Setting
-from maestra.rules.looks import lines_of
 
 REPEATS: Final = 0.6
 """How often a lazy person shows the last row again."""
 FROM_THE_LEFT: Final = 0.6
 """How often people who are not asked for an order fill from the left."""
 NEARNESS: Final = 1.0
+WRONG_TOKEN: Final = 0.5
+"""How many mistakes are a wrong token; the others are two in each other's place."""
 JUDGED: Final = 60
 """Plays of each of three kinds, from each of three starts."""
 
@@ -137,7 +140,7 @@ def _slip(sample: Sample, play: Play, rng: Random) -> tuple[Play, int | None]:
     for _ in range(50):
         row = list(play.row)
         move = rng.randrange(len(order))
-        if left and rng.random() < 0.5:
+        if left and rng.random() < WRONG_TOKEN:
             row[order[move]] = rng.choice(left)
         else:
             other = rng.randrange(len(order))
@@ -185,7 +188,7 @@ def agrees(sample: Sample, rules: Sequence[Rule], deck: Deck, seed: str) -> bool
     return True
 
 
-def _judged(setting: Setting, rows: Tokens, right: np.ndarray, rng: Random) -> Tokens:
+def _judged(setting: Setting, rows: Tokens, right: NDArray[np.intp], rng: Random) -> Tokens:
     chosen = [rows[rng.choice(right)] for _ in range(JUDGED)] if len(right) else []
     near: list[Tokens] = []
     tokens = list(range(len(setting.deck.tokens)))
@@ -220,8 +223,10 @@ def reply_to(sample: Sample, question: Question) -> Reply:
             rng = Random(0)  # noqa: S311 - what is drawn is no secret
             for _ in range(2):
                 setting = Setting(sample.deck, start_of(sample.deck, sample.board, rng))
-                for order in (orders_for(sample.truth, setting)[0],
-                              orders_for(sample.truth, setting)[-1]):
+                for order in (
+                    orders_for(sample.truth, setting)[0],
+                    orders_for(sample.truth, setting)[-1],
+                ):
                     context = Context(setting, order, rows_of(setting, full=True))
                     if (truths(sample.truth, context) & ~context.truth(rule)).any():
                         return Reply.NO

@@ -112,20 +112,20 @@ def kinds(rng: Random) -> tuple[Kind, ...]:
     low = rng.choice((0, 1, 10))
     high = low + rng.choice((15, 30, 90))
     found = [
-        Kind(names[0], Scale.NUMBER, tuple(range(low, high)), rng.random() < 0.8),
-        Kind(names[1], Scale.NOMINAL, few if len(few) > 1 else ("ka", "ko"), False),
+        Kind(names[0], Scale.NUMBER, tuple(range(low, high)), unique=rng.random() < 0.8),
+        Kind(names[1], Scale.NOMINAL, few if len(few) > 1 else ("ka", "ko"), unique=False),
     ]
     more = rng.random()
     if more < 0.3:
-        found.append(Kind(LETTER, Scale.LETTER, tuple("ABCDEFGHIJKLMNOPRSTU"), True))
+        found.append(Kind(LETTER, Scale.LETTER, tuple("ABCDEFGHIJKLMNOPRSTU"), unique=True))
     elif more < 0.5:
         sizes = tuple(f"{word(rng)}{k}" for k in range(rng.choice((3, 4, 5))))
-        found.append(Kind(names[2], Scale.ORDER, sizes, False))
+        found.append(Kind(names[2], Scale.ORDER, sizes, unique=False))
     elif more < 0.65:
         days = tuple(f"{word(rng)}{k}" for k in range(rng.choice((5, 7))))
-        found.append(Kind(names[2], Scale.CYCLE, days, False))
+        found.append(Kind(names[2], Scale.CYCLE, days, unique=False))
     if rng.random() < 0.3:
-        found.append(Kind(names[3], Scale.NOMINAL, ("bobo", "didi"), False))
+        found.append(Kind(names[3], Scale.NOMINAL, ("bobo", "didi"), unique=False))
     return tuple(found)
 
 
@@ -224,9 +224,7 @@ class Maker:
         value = rng.choice(self.shown(kind)[1:])
         if isinstance(value, int) and value > 10:
             value -= value % 5
-        return Compared(
-            kind.name, rng.choice((Comparison.AT_MOST, Comparison.AT_LEAST)), value
-        )
+        return Compared(kind.name, rng.choice((Comparison.AT_MOST, Comparison.AT_LEAST)), value)
 
     def order(self) -> Rule:
         """An order or a shape."""
@@ -252,8 +250,8 @@ class Maker:
             EachPair(Pairs.NEIGHBOURS, different(name)),
             EachPair(Pairs.MIRRORED, same(name)),
             EachPair(Pairs.ALL, same(name)),
-            Template(name, rng.choice(("AB", "AABB", "ABB")), True),
-            Pattern(self.two(), True),
+            Template(name, rng.choice(("AB", "AABB", "ABB")), repeat=True),
+            Pattern(self.two(), repeat=True),
             Template(name, rng.choice(("AABBA", "ABBAA", "AAAAB", "ABBBA"))),
             TwoPlaces(FIRST, LAST, rng.choice((same(name), different(name)))),
         ]
@@ -293,7 +291,7 @@ class Maker:
             from_row(rng.randrange(1, self.board.rows)),
             StraightUp(),
             StraightUp(mirrored=True),
-            Ordered(ORIGIN_COLUMN, Direction.RISING, False),
+            Ordered(ORIGIN_COLUMN, Direction.RISING, strict=False),
             EachPair(Pairs.ALL, different(ORIGIN_COLUMN)),
             TakeExtreme(ORIGIN_COLUMN, Extreme.LOWEST),
             TakeExtreme(self.number().name, rng.choice(list(Extreme))),
@@ -305,7 +303,7 @@ class Maker:
         one, two = self.two()
         choices: list[Rule] = [
             FillOrder(self.rng.choice(list(Filling)[1:])),
-            Ordered(self.number().name, self.rng.choice(list(Direction)), True, Line.TIME),
+            Ordered(self.number().name, self.rng.choice(list(Direction)), line=Line.TIME),
             Before(one, two),
             Follows(one, two),
         ]
@@ -385,9 +383,7 @@ def sample_of(seed: int, *, outside: bool = False) -> Sample:
             )
 
 
-def is_exercise(
-    truth: Sequence[Rule], deck: Deck, board: Board, family: str, rng: Random
-) -> bool:
+def is_exercise(truth: Sequence[Rule], deck: Deck, board: Board, family: str, rng: Random) -> bool:
     """Whether it allows some plays but not most, from several starts, and no rule is idle."""
     for _ in range(2):
         setting = Setting(deck, start_of(deck, board, rng))

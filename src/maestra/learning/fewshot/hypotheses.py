@@ -6,6 +6,7 @@ decks and plays. A generator may propose anything; `surviving` keeps what holds 
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from decimal import Decimal
@@ -15,9 +16,9 @@ from itertools import combinations, permutations, product
 from typing import Final, TypeAlias
 
 from maestra.core.tokens import Scale, Value
+from maestra.learning.fewshot.prior import kind_of, rule_bits
 from maestra.learning.fewshot.space import looks_at_start, same_tokens
 from maestra.learning.fewshot.token_tests import (
-    extremes,
     naming,
     scales_of,
     selecting,
@@ -43,8 +44,18 @@ from maestra.rules.forms.selection import AllOfThem, EveryToken
 from maestra.rules.forms.sources import StraightUp, TakeExtreme
 from maestra.rules.forms.timing import Before, Follows
 from maestra.rules.forms.words import Word
-from maestra.rules.pairs import AddUp, Apart, Compare, Named, Number, Relation, Step, Times
-from maestra.rules.pairs import different, same
+from maestra.rules.pairs import (
+    AddUp,
+    Apart,
+    Compare,
+    Named,
+    Number,
+    Relation,
+    Step,
+    Times,
+    different,
+    same,
+)
 from maestra.rules.rule import Rule
 from maestra.rules.setting import (
     ORIGIN_COLUMN,
@@ -55,7 +66,7 @@ from maestra.rules.setting import (
     Setting,
     bits,
 )
-from maestra.rules.token_tests import Among, Anything, Comparison, Extreme, TokenTest, has, passing
+from maestra.rules.token_tests import Among, Comparison, Extreme, TokenTest, has, passing
 
 MAX_KINDS: Final = 6
 """Values an attribute may have for its pairs of values to be looked at."""
@@ -153,12 +164,10 @@ Generator: TypeAlias = Callable[[Shown], Iterator[Rule]]
 
 def selections(shown: Shown) -> Iterator[Rule]:
     """Only these tokens."""
-    used = [sum(1 << t for t in play.tokens) for play in shown.plays]
     for test in selecting(shown.setting, shown.basic):
         masks = [passing(play.setting, test) for play in shown.plays]
-        wrong = sum(bool(u & ~m) for u, m in zip(used, masks, strict=True))
         trivial = all(not p.setting.movable & ~m for p, m in zip(shown.plays, masks, strict=True))
-        if wrong <= 1 and not trivial:
+        if not trivial:
             yield EveryToken(test)
 
 
@@ -175,20 +184,24 @@ def orders(shown: Shown) -> Iterator[Rule]:
     for line in shown.lines:
         for attribute in (*shown.ordinal, *ORIGINS):
             for direction in Direction:
-                yield Ordered(attribute, direction, True, line)
-                yield Ordered(attribute, direction, False, line)
+                yield Ordered(attribute, direction, line=line)
+                yield Ordered(attribute, direction, strict=False, line=line)
                 if attribute not in ORIGINS:
                     yield RiseAndFall(attribute, direction, line)
                 if shown.scales[attribute] is Scale.CYCLE:
                     yield CyclicOrdered(attribute, direction, line)
             yield Zigzag(attribute, line)
             if attribute not in ORIGINS:
-                yield EqualSteps(attribute, False, line)
+                yield EqualSteps(attribute, line=line)
             if attribute in shown.numeric:
-                yield EqualSteps(attribute, True, line)
+                yield EqualSteps(attribute, ratio=True, line=line)
     for attribute, extreme in product(shown.ordinal, Extreme):
         for place in (MIDDLE, *range(1, shown.setting.length + 1)):
             yield ExtremeAt(attribute, extreme, Position(place))
+
+
+def _quotient(a: Rank, b: Rank) -> Rank | None:
+    return Fraction(b) / a if a else None
 
 
 def relations_of(shown: Shown) -> Iterator[Relation]:
@@ -199,7 +212,7 @@ def relations_of(shown: Shown) -> Iterator[Relation]:
         yield from (Step(attribute, n) for n in shown.amounts(attribute, lambda a, b: b - a))
         yield from (Apart(attribute, n) for n in shown.amounts(attribute, lambda a, b: abs(b - a)))
     for attribute in shown.numeric:
-        quotients = shown.amounts(attribute, lambda a, b: Fraction(b) / a if a else None)
+        quotients = shown.amounts(attribute, _quotient)
         yield from (Times(attribute, n) for n in quotients)
         yield from (AddUp(attribute, n) for n in shown.amounts(attribute, lambda a, b: a + b))
     yield from (Named(name) for name in shown.setting.deck.relations)
@@ -226,14 +239,16 @@ def patterns(shown: Shown) -> Iterator[Rule]:
     """Rows and templates that repeat, blocks, and the same row every time."""
     for line in shown.lines:
         for one, two in shown.contrasts:
-            yield Pattern((one, two), True, line)
+            yield Pattern((one, two), repeat=True, line=line)
         for tests in shown.kinds.values():
-            yield from (Pattern(three, True, line) for three in permutations(tests, 3))
+            yield from (Pattern(three, repeat=True, line=line) for three in permutations(tests, 3))
         for attribute in shown.kinds:
             yield Blocks(attribute, line)
-            yield from (Template(attribute, letters, True, line) for letters in REPEATED)
+            yield from (
+                Template(attribute, letters, repeat=True, line=line) for letters in REPEATED
+            )
             if letters := template_of(shown, attribute, line):
-                yield Template(attribute, letters, False, line)
+                yield Template(attribute, letters, line=line)
     for attribute in shown.setting.deck.scales:
         for play in shown.plays:
             values = play.setting.values(attribute)
@@ -315,10 +330,8 @@ def places(shown: Shown) -> Iterator[Rule]:
 def sources(shown: Shown) -> Iterator[Rule]:
     """Where tokens come from; a selection by row or column is among `selections`."""
     yield from (StraightUp(), StraightUp(mirrored=True))
-    if shown.timed or True:
-        for attribute in (*shown.ordinal, ORIGIN_COLUMN):
-            for extreme in Extreme:
-                yield TakeExtreme(attribute, extreme)
+    for attribute, extreme in product((*shown.ordinal, ORIGIN_COLUMN), Extreme):
+        yield TakeExtreme(attribute, extreme)
 
 
 def timings(shown: Shown) -> Iterator[Rule]:
@@ -326,8 +339,8 @@ def timings(shown: Shown) -> Iterator[Rule]:
     for line in shown.lines:
         for one, two in shown.contrasts:
             yield Before(one, two, line)
-            yield Follows(one, two, True, line)
-            yield Follows(one, two, False, line)
+            yield Follows(one, two, line=line)
+            yield Follows(one, two, immediately=False, line=line)
 
 
 def contexts(shown: Shown) -> Iterator[Rule]:
@@ -389,6 +402,8 @@ class Survivor:
     rule: Rule
     broken: int
     """The plays it does not hold of, as a bit set."""
+    bits: float
+    """What it costs as part of a hypothesis."""
 
 
 def surviving(plays: Sequence[Play], *, timed: bool) -> list[Survivor]:
@@ -400,12 +415,16 @@ def surviving(plays: Sequence[Play], *, timed: bool) -> list[Survivor]:
     first = plays[0].setting
     alike = same_tokens([play.setting for play in plays])
     moved = [replace(play, setting=first) for play in plays] if alike else plays
-    found: dict[Rule, Survivor] = {}
+    found: dict[Rule, int] = {}
+    thought_of: Counter[tuple[object, ...]] = Counter()
     for generator in GENERATORS:
         for rule in generator(shown):
             if rule not in found:
                 where = plays if looks_at_start(rule) else moved
-                broken = sum(1 << k for k, play in enumerate(where) if not rule.holds(play))
-                if broken.bit_count() <= allowed:
-                    found[rule] = Survivor(rule, broken)
-    return list(found.values())
+                found[rule] = sum(1 << k for k, play in enumerate(where) if not rule.holds(play))
+                thought_of[kind_of(rule)] += 1
+    return [
+        Survivor(rule, broken, rule_bits(rule, first, thought_of[kind_of(rule)]))
+        for rule, broken in found.items()
+        if broken.bit_count() <= allowed
+    ]

@@ -20,7 +20,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from maestra.learning.fewshot.hypotheses import Survivor
-from maestra.learning.fewshot.prior import SLIP, TRUST, rule_bits
+from maestra.learning.fewshot.prior import SLIP, TRUST
 from maestra.learning.fewshot.space import Context, Words, looks_at_start, pack, shared, size_of
 from maestra.rules.looks import lines_of
 from maestra.rules.rule import Rule
@@ -36,6 +36,8 @@ KEPT: Final = 150
 """Hypotheses that are looked at closely."""
 WITHIN: Final = 14.0
 """Bits from the best beyond which a hypothesis is forgotten: one in 16,000."""
+HOPELESS: Final = 8.0
+"""Bits that a rule may cost more than it saves: even with others it will not be believed."""
 EDITS: Final = 35
 """Ways to make one mistake in a row of five: the likelihood of a slip is shared among them."""
 
@@ -93,9 +95,8 @@ def evaluate(survivors: Sequence[Survivor], contexts: Sequence[Context], shown: 
         shown: how many layouts were shown. A rule that would cost much more than it could save
             on so many is left out; a sample of the rows is enough to see that.
     """
-    setting = contexts[0].setting
     few = [context.some(SAMPLE) for context in contexts]
-    priced = sorted(((rule_bits(one.rule, setting), k) for k, one in enumerate(survivors)))
+    priced = sorted((one.bits, k) for k, one in enumerate(survivors))
     kept: list[int] = []
     number: dict[bytes, int] = {}
     said: dict[Rule, int] = {}
@@ -103,7 +104,8 @@ def evaluate(survivors: Sequence[Survivor], contexts: Sequence[Context], shown: 
     bits_: list[float] = []
     for cost, k in priced:
         rule, broken = survivors[k].rule, survivors[k].broken
-        if cost - shown * _saving(_everywhere(rule, few), few) > WITHIN:
+        saved = (shown - bool(broken)) * _saving(_everywhere(rule, few), few)
+        if cost + (log2(EDITS) - log2(SLIP) if broken else 0.0) - saved > HOPELESS:
             continue
         truth = _everywhere(rule, contexts)
         if all(_is_full(t, c) for t, c in zip(truth, contexts, strict=True)):
@@ -131,19 +133,15 @@ def evaluate(survivors: Sequence[Survivor], contexts: Sequence[Context], shown: 
 
 def _saving(truth: Sequence[Words], contexts: Sequence[Context]) -> float:
     """Bits that a rule saves on a layout, in the context where it saves most."""
-    allowed = min(
-        size_of(t, c.rows) / c.rows.size for t, c in zip(truth, contexts, strict=True)
-    )
+    allowed = min(size_of(t, c.rows) / c.rows.size for t, c in zip(truth, contexts, strict=True))
     return -log2(max(allowed, 1 / SAMPLE))
 
 
 def _is_full(words: Words, context: Context) -> bool:
-    return int(np.bitwise_count(words).sum()) == len(context.rows.row)
+    return bool((words == context.rows.everything).all())
 
 
-def _everywhere(
-    rule: Rule, contexts: Sequence[Context]
-) -> list[Words]:
+def _everywhere(rule: Rule, contexts: Sequence[Context]) -> list[Words]:
     """The truth in each context; worked out once for those that cannot differ."""
     timed = Line.TIME in lines_of(rule)
     started = looks_at_start(rule)
@@ -193,9 +191,7 @@ class Search:
         few = 3
         if len(self.layouts) < few:
             return ()
-        return tuple(
-            k for k in range(len(self.layouts)) if (self.atoms.broken == 1 << k).any()
-        )
+        return tuple(k for k in range(len(self.layouts)) if (self.atoms.broken == 1 << k).any())
 
     def _beam(self, slip: int | None) -> list[tuple[tuple[int, ...], float]]:
         broken = 0 if slip is None else 1 << slip
@@ -205,8 +201,11 @@ class Search:
         found: dict[tuple[int, ...], float] = {}
         contexts = self._needed
         frontier: list[tuple[tuple[int, ...], list[Words], Numbers]] = [
-            ((), [_all(self.contexts[c]) for c in contexts],
-             np.array([self.contexts[c].rows.size for c in contexts]))
+            (
+                (),
+                [self.contexts[c].rows.everything for c in contexts],
+                np.array([self.contexts[c].rows.size for c in contexts]),
+            )
         ]
         truths = [self.atoms.truth[c][usable] for c in contexts]
         for _ in range(LENGTH):
@@ -288,10 +287,6 @@ class Search:
             says = (truths[c][:, some] & mine).any(axis=1)
             total += np.where(says == answer.yes, -log2(TRUST), -log2(1 - TRUST))
         return total
-
-
-def _all(context: Context) -> Words:
-    return pack(np.ones(len(context.rows.row), np.bool_))
 
 
 def _keyed(

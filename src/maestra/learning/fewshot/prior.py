@@ -1,7 +1,8 @@
 """What the few-shot learner believes before it sees anything: all of its numbers in one place.
 
-A hypothesis is a conjunction of rules. Its prior is 2^-bits: for each rule what it takes to say
-it (`maestra.rules.description`) and `RULE_BITS` more, for people use few rules. The likelihood
+A hypothesis is a conjunction of rules. Its prior is 2^-bits: for each rule `RULE_BITS`, for people
+use few rules; the weight of its form (`maestra.rules.description.FORMS`), shared equally by all
+rules of its kind that the deck and the board suggest; and what `surcharge` says. The likelihood
 of a demonstration is the habit-weighted share it has of all plays that the hypothesis allows.
 
 The numbers marked "tuned" were set on the seeds 0 to 999 of `maestra.experiments.fewshot`.
@@ -14,17 +15,21 @@ from math import log2
 from types import MappingProxyType
 from typing import Final
 
-from maestra.rules.description import description_length
-from maestra.rules.forms.patterns import Pattern
+from maestra.rules.description import FORMS
+from maestra.rules.forms.conditions import At
+from maestra.rules.forms.counting import Count, Kinds, Total
+from maestra.rules.forms.length import UntilTotal
+from maestra.rules.forms.order import CyclicOrdered, EqualSteps, Ordered, RiseAndFall, Zigzag
+from maestra.rules.forms.patterns import Blocks, Pattern, Template
+from maestra.rules.forms.relations import EachPair
 from maestra.rules.forms.selection import EveryToken
-from maestra.rules.forms.timing import Filling
+from maestra.rules.forms.timing import Before, Filling, Follows
+from maestra.rules.pairs import AddUp, Apart, Step, Times
 from maestra.rules.rule import Rule
-from maestra.rules.setting import Setting
-from maestra.rules.token_tests import Has
+from maestra.rules.setting import Line, Setting
+from maestra.rules.token_tests import Compared, Either, Has, Not
 
-SCALE: Final = 0.5
-"""Of a rule's description: much of what could be said no caregiver would; tuned."""
-RULE_BITS: Final = 2.0
+RULE_BITS: Final = 1.0
 """For each rule of a conjunction; tuned."""
 GIVEN_ROW_BITS: Final = 5.0
 """For "this row every time", beside naming the one row among all; tuned."""
@@ -68,13 +73,60 @@ HABITS: Final[Mapping[Filling | None, float]] = MappingProxyType(
 """How people fill a row when they may fill it anyhow; None: now so, now so."""
 
 
-def rule_bits(rule: Rule, setting: Setting) -> float:
-    """Bits that `rule` costs as part of a hypothesis."""
+def kind_of(rule: Rule) -> tuple[object, ...]:
+    """What rules share a weight: the form, and what kind of test or relation it is about."""
+    match rule:
+        case EveryToken(test):
+            return type(rule), type(test)
+        case EachPair(pairs, relation, line):
+            return type(rule), type(relation), pairs, line
+        case Count(_, comparison) | Kinds(_, comparison) | Total(_, comparison):
+            return type(rule), comparison
+        case Ordered() | Blocks() | Zigzag() | EqualSteps() | RiseAndFall() | CyclicOrdered():
+            return type(rule), rule.line
+        case Pattern() | Template() | Before() | Follows() | At():
+            return type(rule), rule.line
+        case _:
+            return (type(rule),)
+
+
+def surcharge(rule: Rule, setting: Setting) -> float:
+    """Bits for a parameter that was read off the plays, and for what is seldom said."""
+    length = max(2, setting.length)
+    match rule:
+        case EveryToken(Either()):
+            return 1.0
+        case EveryToken(Compared() | Not()):
+            return 0.5
+        case Total() | UntilTotal():
+            return 5.0
+        case EachPair(_, Step() | Apart() | AddUp() | Times()):
+            return 3.0
+        case Count() | Kinds():
+            return log2(length)
+        case Template(_, _, False):
+            return float(length - 1)
+        case Pattern(_, False):
+            return float(length)
+        case Ordered() | EachPair() | Blocks() | Zigzag() if rule.line is Line.TIME:
+            return 2.0
+        case _:
+            return 0.0
+
+
+def rule_bits(rule: Rule, setting: Setting, among: int = 1) -> float:
+    """Bits that `rule` costs as part of a hypothesis.
+
+    Args:
+        rule: one rule.
+        setting: a start it was seen from.
+        among: how many rules of its kind were thought of.
+    """
     if is_given_row(rule, setting):
         cells = setting.given.count(None)
         tokens = setting.movable.bit_count()
         return GIVEN_ROW_BITS + sum(log2(max(1, tokens - k)) for k in range(cells))
-    return RULE_BITS + SCALE * description_length(rule, setting)
+    return RULE_BITS + FORMS[type(rule)] + log2(among) + surcharge(rule, setting)
 
 
 def is_given_row(rule: Rule, setting: Setting) -> bool:
@@ -84,7 +136,5 @@ def is_given_row(rule: Rule, setting: Setting) -> bool:
             return len(tests) == setting.length and all(
                 isinstance(test, Has) and test.feature.name.startswith("is-") for test in tests
             )
-        case EveryToken():
-            return False
         case _:
             return False

@@ -14,6 +14,7 @@ from typing import Final, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from maestra.learning.fewshot.learner import learn
 from maestra.learning.fewshot.lesson import (
     Answer,
     Belief,
@@ -24,7 +25,6 @@ from maestra.learning.fewshot.lesson import (
     RowQuestion,
     RuleQuestion,
     Status,
-    learn,
 )
 from maestra.learning.fewshot.prior import TRUST
 from maestra.learning.fewshot.space import Context, follows, unpack
@@ -60,9 +60,7 @@ class _Candidate(NamedTuple):
     question: Question
 
 
-def next_question(
-    lesson: Lesson, kinds: Collection[QuestionKind] = ALL_KINDS
-) -> Question | None:
+def next_question(lesson: Lesson, kinds: Collection[QuestionKind] = ALL_KINDS) -> Question | None:
     """The best question that was not asked yet; None when it is sure or nothing would help.
 
     Args:
@@ -87,13 +85,13 @@ def update(lesson: Lesson, question: Question, reply: Reply) -> Lesson:
 
 def _weights(belief: Belief) -> NDArray[np.float64]:
     weights = np.array(belief.weights[:CONSIDERED])
-    return weights / weights.sum()
+    return np.asarray(weights / weights.sum(), np.float64)
 
 
 def information(yes: NDArray[np.float64]) -> NDArray[np.float64]:
     """Bits that an answer tells, by how likely the true answer is yes; answers are noisy."""
     heard = yes * TRUST + (1 - yes) * (1 - TRUST)
-    return _entropy(heard) - _entropy(np.array(TRUST))
+    return np.asarray(_entropy(heard) - _entropy(np.array(TRUST)), np.float64)
 
 
 def _entropy(p: NDArray[np.float64]) -> NDArray[np.float64]:
@@ -116,9 +114,7 @@ def _rows_and_moves(lesson: Lesson, kinds: Collection[QuestionKind]) -> Iterator
             if play in asked:
                 continue
             if QuestionKind.ROW in kinds:
-                yield _Candidate(
-                    float(worth[best]) / EFFORT[QuestionKind.ROW], RowQuestion(play)
-                )
+                yield _Candidate(float(worth[best]) / EFFORT[QuestionKind.ROW], RowQuestion(play))
             if QuestionKind.MOVE in kinds:
                 yield from _moves(context, play, allowed, weights)
 
@@ -153,8 +149,9 @@ def _rules(lesson: Lesson, kinds: Collection[QuestionKind]) -> Iterator[_Candida
     weights = _weights(belief)
     considered = belief.classes[:CONSIDERED]
     for atom in dict.fromkeys(a for one in considered for a in one.atoms):
-        yes = np.array([follows(one.words, [t[atom] for t in belief.atoms.truth])
-                        for one in considered])
+        yes = np.array(
+            [follows(one.words, [t[atom] for t in belief.atoms.truth]) for one in considered]
+        )
         worth = float(information(np.array(weights @ yes)))
         rule = belief.atoms.rules[atom]
         yield _Candidate(worth / EFFORT[QuestionKind.RULE], RuleQuestion(rule))

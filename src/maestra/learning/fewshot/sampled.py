@@ -29,6 +29,8 @@ from maestra.rules.setting import Line, Setting
 
 DRAWS: Final = 400
 """Rows of each proposal: an estimate of a share of a half is good to 5 % (two sigma)."""
+SPREAD: Final = 1.2
+"""Weights of one packed word are at most so far apart."""
 SINGLE: Final = 12
 """Rules that are proposals on their own."""
 PAIRED: Final = 4
@@ -68,12 +70,25 @@ def sampled(
     own = np.zeros(len(rows), np.bool_)
     own[inverse.ravel()[: len(shown)]] = True
     weight[own] = np.clip(weight[own], 1.0, None)
+    return _in_words(rows, weight)
+
+
+def _in_words(rows: Tokens, weight: NDArray[np.float64]) -> Rows:
+    """The rows by weight, 64 of nearly the same to a packed word, which has their mean."""
     order = np.argsort(weight, kind="stable")
-    rows, weight = rows[order], weight[order]
-    # A packed word has one weight, so neighbours share the mean: they are nearly equal.
-    for first in range(0, len(weight), 64):
-        weight[first : first + 64] = weight[first : first + 64].mean()
-    return Rows(rows, weight)
+    parts: list[Tokens] = []
+    weights: list[NDArray[np.float64]] = []
+    first = 0
+    while first < len(order):
+        near = order[first : first + 64]
+        near = near[weight[near] <= SPREAD * weight[near[0]]]
+        filling = np.repeat(near[:1], 64 - len(near))
+        parts.append(rows[np.concatenate([near, filling])])
+        share = np.zeros(64)
+        share[: len(near)] = weight[near].mean()
+        weights.append(share)
+        first += len(near)
+    return Rows(np.concatenate(parts), np.concatenate(weights))
 
 
 def proposals_of(setting: Setting, rules: Sequence[Rule], *, gaps: bool) -> list[Proposal]:
@@ -90,13 +105,15 @@ def proposals_of(setting: Setting, rules: Sequence[Rule], *, gaps: bool) -> list
 
 def _proposal(setting: Setting, rules: Sequence[Rule], *, gaps: bool) -> Proposal:
     tokens = len(setting.deck.tokens)
-    slots = [as_table(setting, setting.movable, nobody=False)[:tokens].copy()
-             for _ in range(setting.length)]
+    slots = [
+        as_table(setting, setting.movable, nobody=False)[:tokens].copy()
+        for _ in range(setting.length)
+    ]
     links: list[list[tuple[int, Truth]]] = [[] for _ in range(setting.length)]
     for rule in rules:
         if isinstance(rule, EachSlot):
-            for slot, mask in zip(slots, rule.allowed(setting), strict=True):
-                slot &= as_table(setting, mask, nobody=False)[:tokens]
+            for cell, mask in enumerate(rule.allowed(setting)):
+                slots[cell] &= as_table(setting, mask, nobody=False)[:tokens]
         elif isinstance(rule, Pairwise):
             for i, j, masks in rule.links(setting):
                 links[j].append((i, as_matrix(setting, masks)[:, :tokens]))

@@ -43,11 +43,22 @@ class Rows:
     row: Tokens
     """rows x goal cells."""
     weight: NDArray[np.float64] | None
-    """How many rows each stands for; None: each for itself."""
+    """How many rows each stands for, the same for all 64 of a packed word, 0 for what only fills
+    a word up; None: each for itself."""
+
+    @cached_property
+    def real(self) -> Truth:
+        """Which of them are rows, and do not only fill a word up."""
+        return np.ones(len(self.row), np.bool_) if self.weight is None else self.weight > 0
+
+    @cached_property
+    def everything(self) -> Words:
+        """All rows as a packed set."""
+        return pack(self.real)
 
     @cached_property
     def columns(self) -> NDArray[np.intp]:
-        """goal cells x rows, for `take`."""
+        """What lies on each goal cell, row by row: goal cells x rows, for `take`."""
         return np.ascontiguousarray(self.row.T.astype(np.intp))
 
     @cached_property
@@ -83,6 +94,7 @@ class Rows:
     @cached_property
     def word_weight(self) -> NDArray[np.float64] | None:
         """How many rows each row of a packed word stands for; None: each for itself."""
+        # A word begins with a row; what fills it up comes after.
         return None if self.weight is None else self.weight[::64]
 
     @cached_property
@@ -156,10 +168,17 @@ class Context:
 
     def place(self, line: Line, slot: int) -> NDArray[np.intp]:
         """What lies in a slot of the line, row by row; of full rows."""
-        return self.rows.columns[slot if line is Line.ROW else self.order[slot]]
+        column: NDArray[np.intp] = self.rows.columns[
+            slot if line is Line.ROW else self.order[slot]
+        ]
+        return column
 
     def truth(self, rule: Rule) -> Truth:
-        """Which rows are right as far as `rule` says; the same as its own `mask`, but faster."""
+        """Which rows are right as far as `rule` says; nothing that only fills a word up."""
+        return self._truth(rule) & self.rows.real
+
+    def _truth(self, rule: Rule) -> Truth:
+        """The same as the rule's own `mask`, but faster."""
         if not lines_of(rule):
             _, inverse = self.rows.sets
             return rule.mask(self._some_of_each).take(inverse)
@@ -261,7 +280,7 @@ def shared(one: Words, others: Words, weight: NDArray[np.float64] | None) -> NDA
     """How many rows one set shares with each of others; `weight` is that of each word's rows."""
     bits_ = np.bitwise_count(one & others)
     if weight is None:
-        return bits_.sum(axis=-1, dtype=np.int64).astype(np.float64)
+        return np.asarray(bits_.sum(axis=-1, dtype=np.int64), np.float64)
     return np.asarray(bits_ @ weight, np.float64)
 
 
