@@ -162,8 +162,11 @@ def test_a_large_board_is_sampled() -> None:
     plays = [
         shown(ranked[:8], 0, deck=deck, board=board),
         shown(ranked[2:18:2], 1, deck=deck, board=board),
+        shown(ranked[4:20:2], 1, deck=deck, board=board),
     ]
-    answer = Answer(RowQuestion(play_of(shown(ranked[9:17], 5, deck=deck, board=board))), Reply.YES)
+    answer = Answer(
+        RowQuestion(play_of(shown(ranked[9:17], 5, deck=deck, board=board))), Reply.YES
+    )
     lesson = learn(plays, [answer], seed=3)
     assert Ordered("value", Direction.RISING) in lesson.rules
     size = lesson.belief.contexts[0].rows.size

@@ -58,6 +58,8 @@ HIDDEN: Final = "hidden"
 MOST: Final = 0.5
 """An exercise that allows more of all rows is none."""
 FEWEST: Final = 3
+ROUNDED: Final = 10
+"""From here on people say multiples of five."""
 
 
 class Person(Enum):
@@ -105,6 +107,11 @@ def word(rng: Random) -> str:
     return "".join(rng.sample(SYLLABLES, 2))
 
 
+def chance(rng: Random, share: float) -> bool:
+    """Whether something happens that happens so often."""
+    return rng.random() < share
+
+
 def kinds(rng: Random) -> tuple[Kind, ...]:
     """Two to four attributes; at least one with an order and one with shared values."""
     names = [word(rng) + str(k) for k in range(4)]
@@ -112,19 +119,19 @@ def kinds(rng: Random) -> tuple[Kind, ...]:
     low = rng.choice((0, 1, 10))
     high = low + rng.choice((15, 30, 90))
     found = [
-        Kind(names[0], Scale.NUMBER, tuple(range(low, high)), unique=rng.random() < 0.8),
+        Kind(names[0], Scale.NUMBER, tuple(range(low, high)), unique=chance(rng, 0.8)),
         Kind(names[1], Scale.NOMINAL, few if len(few) > 1 else ("ka", "ko"), unique=False),
     ]
-    more = rng.random()
-    if more < 0.3:
+    more = rng.choices(("letter", "order", "cycle", "none"), (6, 4, 3, 7))[0]
+    if more == "letter":
         found.append(Kind(LETTER, Scale.LETTER, tuple("ABCDEFGHIJKLMNOPRSTU"), unique=True))
-    elif more < 0.5:
+    elif more == "order":
         sizes = tuple(f"{word(rng)}{k}" for k in range(rng.choice((3, 4, 5))))
         found.append(Kind(names[2], Scale.ORDER, sizes, unique=False))
-    elif more < 0.65:
+    elif more == "cycle":
         days = tuple(f"{word(rng)}{k}" for k in range(rng.choice((5, 7))))
         found.append(Kind(names[2], Scale.CYCLE, days, unique=False))
-    if rng.random() < 0.3:
+    if chance(rng, 0.3):
         found.append(Kind(names[3], Scale.NOMINAL, ("bobo", "didi"), unique=False))
     return tuple(found)
 
@@ -199,7 +206,7 @@ class Maker:
 
     def simple(self) -> TokenTest:
         """A value or a feature."""
-        return self.named() if self.rng.random() < 0.6 else self.feature()
+        return self.named() if chance(self.rng, 0.6) else self.feature()
 
     def two(self) -> tuple[TokenTest, TokenTest]:
         """Two values of one attribute."""
@@ -210,19 +217,20 @@ class Maker:
     def selecting(self) -> TokenTest:
         """A test that selects."""
         kind, rng = self.ordinal(), self.rng
-        way = rng.random()
-        if way < 0.45:
+        ways = ("simple", "not", "either", "extreme", "threshold")
+        way = rng.choices(ways, (9, 3, 3, 2, 3))[0]
+        if way == "simple":
             return self.simple()
-        if way < 0.6:
+        if way == "not":
             return Not(self.simple())
-        if way < 0.75:
+        if way == "either":
             return Either(self.simple(), self.simple())
-        if way < 0.85 and kind.scale is not Scale.CYCLE:
+        if way == "extreme" and kind.scale is not Scale.CYCLE:
             return Among(kind.name, rng.choice(list(Extreme)))
         if kind.scale is Scale.CYCLE:
             return self.simple()
         value = rng.choice(self.shown(kind)[1:])
-        if isinstance(value, int) and value > 10:
+        if isinstance(value, int) and value > ROUNDED:
             value -= value % 5
         return Compared(kind.name, rng.choice((Comparison.AT_MOST, Comparison.AT_LEAST)), value)
 
@@ -233,9 +241,9 @@ class Maker:
         if kind.scale is Scale.CYCLE:
             return CyclicOrdered(kind.name, way)
         choices: list[Rule] = [
-            Ordered(kind.name, way, kind.unique or rng.random() < 0.3),
-            Ordered(kind.name, way, kind.unique or rng.random() < 0.3),
-            Ordered(kind.name, way, kind.unique or rng.random() < 0.3),
+            Ordered(kind.name, way, kind.unique or chance(rng, 0.3)),
+            Ordered(kind.name, way, kind.unique or chance(rng, 0.3)),
+            Ordered(kind.name, way, kind.unique or chance(rng, 0.3)),
             RiseAndFall(kind.name, way),
             Zigzag(kind.name),
             ExtremeAt(kind.name, rng.choice(list(Extreme)), rng.choice((FIRST, MIDDLE, LAST))),
@@ -379,7 +387,7 @@ def sample_of(seed: int, *, outside: bool = False) -> Sample:
                 board,
                 truth,
                 rng.choice(list(Person)),
-                rng.random() < 0.5 or family.startswith(("source", "context")),
+                chance(rng, 0.5) or family.startswith(("source", "context")),
             )
 
 

@@ -25,6 +25,7 @@ from maestra.learning.fewshot.token_tests import (
     simple,
     thresholds,
 )
+from maestra.rules.fields import Number
 from maestra.rules.forms.base import FIRST, LAST, MIDDLE, Direction, Position
 from maestra.rules.forms.conditions import At, IfThen
 from maestra.rules.forms.context import Cue, ModelRow, Reading
@@ -49,7 +50,6 @@ from maestra.rules.pairs import (
     Apart,
     Compare,
     Named,
-    Number,
     Relation,
     Step,
     Times,
@@ -129,13 +129,17 @@ class Shown:
     @cached_property
     def contrasts(self) -> list[tuple[TokenTest, TokenTest]]:
         """Two tests of one attribute that no token passes both: red and blue, odd and even."""
-        found = [p for tests in self.kinds.values() for p in permutations(tests, 2)]
-        features = (("odd", "even"), ("vowel", "consonant"))
-        for one, two in features:
-            for attribute, scale in self.setting.deck.scales.items():
-                if scale is (Scale.NUMBER if one == "odd" else Scale.LETTER):
-                    pair = has(one, attribute), has(two, attribute)
-                    found += [pair, pair[::-1]]
+        found: list[tuple[TokenTest, TokenTest]] = []
+        for tests in self.kinds.values():
+            found += permutations(tests, 2)
+        for scale, one, two in (
+            (Scale.NUMBER, "odd", "even"),
+            (Scale.LETTER, "vowel", "consonant"),
+        ):
+            for attribute, its in self.setting.deck.scales.items():
+                if its is scale:
+                    found.append((has(one, attribute), has(two, attribute)))
+                    found.append((has(two, attribute), has(one, attribute)))
         return found
 
     def amounts(self, attribute: str, of: Callable[[Rank, Rank], Rank | None]) -> list[Number]:
@@ -174,9 +178,7 @@ def selections(shown: Shown) -> Iterator[Rule]:
 def exhaustive(shown: Shown) -> Iterator[Rule]:
     """All of these tokens, none left behind."""
     for test in (*shown.basic, *thresholds(shown.setting)):
-        left = [p.left & passing(p.setting, test) for p in shown.plays]
-        if sum(map(bool, left)) <= 1:
-            yield AllOfThem(test)
+        yield AllOfThem(test)
 
 
 def orders(shown: Shown) -> Iterator[Rule]:
@@ -204,17 +206,29 @@ def _quotient(a: Rank, b: Rank) -> Rank | None:
     return Fraction(b) / a if a else None
 
 
+def _difference(a: Rank, b: Rank) -> Rank:
+    return Fraction(b) - a
+
+
+def _distance(a: Rank, b: Rank) -> Rank:
+    return abs(Fraction(b) - a)
+
+
+def _sum(a: Rank, b: Rank) -> Rank:
+    return Fraction(a) + b
+
+
 def relations_of(shown: Shown) -> Iterator[Relation]:
     """Relations that a pair of neighbours suggests."""
     for attribute in shown.scales:
         yield from (same(attribute), different(attribute))
     for attribute in (*shown.ordinal, *ORIGINS):
-        yield from (Step(attribute, n) for n in shown.amounts(attribute, lambda a, b: b - a))
-        yield from (Apart(attribute, n) for n in shown.amounts(attribute, lambda a, b: abs(b - a)))
+        yield from (Step(attribute, n) for n in shown.amounts(attribute, _difference))
+        yield from (Apart(attribute, n) for n in shown.amounts(attribute, _distance))
     for attribute in shown.numeric:
         quotients = shown.amounts(attribute, _quotient)
         yield from (Times(attribute, n) for n in quotients)
-        yield from (AddUp(attribute, n) for n in shown.amounts(attribute, lambda a, b: a + b))
+        yield from (AddUp(attribute, n) for n in shown.amounts(attribute, _sum))
     yield from (Named(name) for name in shown.setting.deck.relations)
 
 
@@ -298,8 +312,8 @@ def sums(shown: Shown) -> Iterator[Rule]:
             ranks = play.setting.ranks(attribute)
             found = [rank for t in play.tokens if (rank := ranks[t]) is not None]
             total = as_number(Fraction(sum(found)))
-            if total is not None:
-                yield Total(attribute, Comparison.EQUAL, total)
+            exact = [] if total is None else [total]
+            yield from (Total(attribute, Comparison.EQUAL, number) for number in exact)
             for number in {10 * (int(sum(found)) // 10), 10 * -(-int(sum(found)) // 10)}:
                 yield Total(attribute, Comparison.AT_LEAST, number)
                 yield Total(attribute, Comparison.AT_MOST, number)
@@ -363,10 +377,9 @@ def contexts(shown: Shown) -> Iterator[Rule]:
     stays = shown.plays[0].left
     columns = shown.setting.values(ORIGIN_COLUMN)
     storage = shown.setting.values(ORIGIN_ROW)
-    for token in bits(stays):
-        row_, column = storage[token], columns[token]
-        if isinstance(row_, int) and isinstance(column, int):
-            yield from (Cue(row_, column, relation) for relation in plain)
+    cells = [(storage[token], columns[token]) for token in bits(stays)]
+    for (line, column), relation in product(cells, plain):
+        yield Cue(int(str(line)), int(str(column)), relation)
 
 
 def lengths(shown: Shown) -> Iterator[Rule]:

@@ -11,6 +11,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 from math import log2
+from typing import assert_never
 
 import numpy as np
 
@@ -212,7 +213,7 @@ class _Lecture:
         weights = np.exp2(-(scores - min([nothing, *scores])))
         unknown = float(np.exp2(-(nothing - min([nothing, *scores]))))
         total = weights.sum() + unknown
-        order = np.argsort(-weights, kind="stable")
+        order = sorted(range(len(classes)), key=lambda k: -float(weights[k]))
         belief = Belief(
             self.plays,
             contexts,
@@ -427,3 +428,5 @@ def _position(question: Question) -> Play | None:
             return position.after(token, cell)
         case RuleQuestion():
             return None
+        case _:
+            assert_never(question)

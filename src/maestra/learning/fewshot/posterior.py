@@ -126,7 +126,10 @@ def evaluate(survivors: Sequence[Survivor], contexts: Sequence[Context], shown: 
         tuple(survivors[k].rule for k in kept),
         np.array(bits_),
         np.array([survivors[k].broken for k in kept], np.int64),
-        tuple(np.array(one, np.uint64).reshape(len(kept), -1) for one in truths),
+        tuple(
+            np.array(one, np.uint64).reshape(len(kept), len(c.rows.everything))
+            for one, c in zip(truths, contexts, strict=True)
+        ),
         said,
     )
 

@@ -22,14 +22,14 @@ from maestra.rules.forms.length import UntilTotal
 from maestra.rules.forms.order import CyclicOrdered, EqualSteps, Ordered, RiseAndFall, Zigzag
 from maestra.rules.forms.patterns import Blocks, Pattern, Template
 from maestra.rules.forms.relations import EachPair
-from maestra.rules.forms.selection import EveryToken
+from maestra.rules.forms.selection import AllOfThem, EveryToken
 from maestra.rules.forms.timing import Before, Filling, Follows
 from maestra.rules.pairs import AddUp, Apart, Step, Times
 from maestra.rules.rule import Rule
 from maestra.rules.setting import Line, Setting
 from maestra.rules.token_tests import Compared, Either, Has, Not
 
-RULE_BITS: Final = 1.0
+RULE_BITS: Final = 2.0
 """For each rule of a conjunction; tuned."""
 GIVEN_ROW_BITS: Final = 5.0
 """For "this row every time", beside naming the one row among all; tuned."""
@@ -76,7 +76,7 @@ HABITS: Final[Mapping[Filling | None, float]] = MappingProxyType(
 def kind_of(rule: Rule) -> tuple[object, ...]:
     """What rules share a weight: the form, and what kind of test or relation it is about."""
     match rule:
-        case EveryToken(test):
+        case EveryToken(test) | AllOfThem(test):
             return type(rule), type(test)
         case EachPair(pairs, relation, line):
             return type(rule), type(relation), pairs, line
@@ -90,7 +90,7 @@ def kind_of(rule: Rule) -> tuple[object, ...]:
             return (type(rule),)
 
 
-def surcharge(rule: Rule, setting: Setting) -> float:
+def surcharge(rule: Rule, setting: Setting) -> float:  # noqa: PLR0911 - one for each kind
     """Bits for a parameter that was read off the plays, and for what is seldom said."""
     length = max(2, setting.length)
     match rule:
@@ -98,6 +98,8 @@ def surcharge(rule: Rule, setting: Setting) -> float:
             return 1.0
         case EveryToken(Compared() | Not()):
             return 0.5
+        case AllOfThem(Compared()):
+            return 3.0
         case Total() | UntilTotal():
             return 5.0
         case EachPair(_, Step() | Apart() | AddUp() | Times()):

@@ -95,15 +95,15 @@ def proposals_of(setting: Setting, rules: Sequence[Rule], *, gaps: bool) -> list
     """Anything, each of the first rules, and two by two."""
     slots = [r for r in rules if isinstance(r, EachSlot) and r.line is Line.ROW]
     pairs = [r for r in rules if isinstance(r, Pairwise) and r.line is Line.ROW]
-    singles = [r for r in rules if r in slots or r in pairs][:SINGLE]
+    singles = [r for r in rules if isinstance(r, EachSlot | Pairwise) and r.line is Line.ROW]
     twos = [(one, two) for one in slots[:PAIRED] for two in pairs[:PAIRED]]
     return [
         _proposal(setting, chosen, gaps=gaps)
-        for chosen in ((), *((rule,) for rule in singles), *twos)
+        for chosen in ((), *((rule,) for rule in singles[:SINGLE]), *twos)
     ]
 
 
-def _proposal(setting: Setting, rules: Sequence[Rule], *, gaps: bool) -> Proposal:
+def _proposal(setting: Setting, rules: Sequence[EachSlot | Pairwise], *, gaps: bool) -> Proposal:
     tokens = len(setting.deck.tokens)
     slots = [
         as_table(setting, setting.movable, nobody=False)[:tokens].copy()
@@ -114,7 +114,7 @@ def _proposal(setting: Setting, rules: Sequence[Rule], *, gaps: bool) -> Proposa
         if isinstance(rule, EachSlot):
             for cell, mask in enumerate(rule.allowed(setting)):
                 slots[cell] &= as_table(setting, mask, nobody=False)[:tokens]
-        elif isinstance(rule, Pairwise):
+        else:
             for i, j, masks in rule.links(setting):
                 links[j].append((i, as_matrix(setting, masks)[:, :tokens]))
     for cell, token in enumerate(setting.given):
