@@ -15,14 +15,17 @@ from math import log2
 from types import MappingProxyType
 from typing import Final
 
+from maestra.learning.fewshot.space import looks_at_start
 from maestra.rules.description import FORMS
 from maestra.rules.forms.conditions import At
+from maestra.rules.forms.context import ModelRow
 from maestra.rules.forms.counting import Count, Kinds, Total
 from maestra.rules.forms.length import UntilTotal
 from maestra.rules.forms.order import CyclicOrdered, EqualSteps, Ordered, RiseAndFall, Zigzag
 from maestra.rules.forms.patterns import Blocks, Pattern, Template
-from maestra.rules.forms.relations import EachPair
+from maestra.rules.forms.relations import EachPair, Pairs
 from maestra.rules.forms.selection import AllOfThem, EveryToken
+from maestra.rules.forms.sources import StraightUp, TakeExtreme
 from maestra.rules.forms.timing import Before, Filling, Follows
 from maestra.rules.pairs import AddUp, Apart, Step, Times
 from maestra.rules.rule import Rule
@@ -31,6 +34,10 @@ from maestra.rules.token_tests import Compared, Either, Has, Not
 
 RULE_BITS: Final = 2.0
 """For each rule of a conjunction; tuned."""
+AMOUNT_BITS: Final = 5.0
+"""For a step, a distance or a sum, which is read off the plays."""
+UNUSUAL_BITS: Final = 2.0
+"""For what people seldom mean."""
 GIVEN_ROW_BITS: Final = 5.0
 """For "this row every time", beside naming the one row among all; tuned."""
 OUTSIDE_BITS: Final = 3.0
@@ -90,7 +97,7 @@ def kind_of(rule: Rule) -> tuple[object, ...]:
             return (type(rule),)
 
 
-def surcharge(rule: Rule, setting: Setting) -> float:  # noqa: PLR0911 - one for each kind
+def surcharge(rule: Rule, setting: Setting) -> float:  # noqa: C901, PLR0911 - one for each kind
     """Bits for a parameter that was read off the plays, and for what is seldom said."""
     length = max(2, setting.length)
     match rule:
@@ -102,8 +109,10 @@ def surcharge(rule: Rule, setting: Setting) -> float:  # noqa: PLR0911 - one for
             return 3.0
         case Total() | UntilTotal():
             return 5.0
-        case EachPair(_, Step() | Apart() | AddUp() | Times()):
-            return 3.0
+        case EachPair(pairs, Step() | Apart() | AddUp() | Times()):
+            return AMOUNT_BITS + (0.0 if pairs is Pairs.NEIGHBOURS else UNUSUAL_BITS)
+        case EachPair(Pairs.TWO_BY_TWO | Pairs.FIRST_WITH_REST):
+            return UNUSUAL_BITS
         case Count() | Kinds():
             return log2(length)
         case Template(_, _, False):
@@ -128,7 +137,12 @@ def rule_bits(rule: Rule, setting: Setting, among: int = 1) -> float:
         cells = setting.given.count(None)
         tokens = setting.movable.bit_count()
         return GIVEN_ROW_BITS + sum(log2(max(1, tokens - k)) for k in range(cells))
-    return RULE_BITS + FORMS[type(rule)] + log2(among) + surcharge(rule, setting)
+    bits = RULE_BITS + FORMS[type(rule)] + log2(among) + surcharge(rule, setting)
+    # Relations of the cells that tokens came from: possible, but seldom meant.
+    indirect = looks_at_start(rule) and not isinstance(
+        rule, EveryToken | StraightUp | TakeExtreme | ModelRow | Ordered
+    )
+    return bits + (UNUSUAL_BITS if indirect else 0.0)
 
 
 def is_given_row(rule: Rule, setting: Setting) -> bool:
