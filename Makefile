@@ -50,7 +50,7 @@ layers: setup ## the import rule of the house
 
 .PHONY: docs
 docs: setup ## build the documentation into site/
-	$(STEP) docs env NO_MKDOCS_2_WARNING=1 $(BIN)/mkdocs --quiet build --strict
+	$(STEP) docs env NO_MKDOCS_2_WARNING=1 $(BIN)/mkdocs build --strict
 
 .PHONY: wheel
 wheel: setup ## build the wheel, install it into an empty environment, use it there
@@ -59,7 +59,7 @@ wheel: setup ## build the wheel, install it into an empty environment, use it th
 .PHONY: tests
 tests: setup ## the tests, with the coverage each package must have
 	@printf '\n== tests\n'
-	@$(BIN)/python -m pytest --numprocesses=2 --hypothesis-profile=ci \
+	@$(BIN)/python -m pytest --numprocesses=2 --dist=worksteal --hypothesis-profile=ci \
 		--cov --cov-report=term-missing:skip-covered --coverage-floors --durations=10 --durations-min=3
 
 .PHONY: format
@@ -94,7 +94,7 @@ nightly-setup:
 	@VENV=.venv-nightly scripts/environment.sh nightly
 
 FUZZ_SECONDS ?= 120
-FUZZ_TARGETS := demonstrations
+FUZZ_TARGETS := demonstrations plays exercises words
 
 .PHONY: fuzz
 fuzz: nightly-setup ## invented bytes into every reader, FUZZ_SECONDS=120 each

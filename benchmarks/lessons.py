@@ -46,6 +46,4 @@ def paper_lesson(rng: Random) -> list[Demonstration]:
 def random_lesson(board: Board, deck: Deck, count: int, rng: Random) -> list[Demonstration]:
     """Random right plays of "ascending"."""
     tokens, length = len(deck.tokens), board.columns
-    return [
-        ascending(board, deck, rng.sample(range(tokens), length), rng) for _ in range(count)
-    ]
+    return [ascending(board, deck, rng.sample(range(tokens), length), rng) for _ in range(count)]

@@ -9,12 +9,16 @@ from pydantic.json_schema import GenerateJsonSchema, JsonSchemaValue
 from pydantic_core import core_schema
 
 from maestra.core.formats import DEMONSTRATION_FORMAT, DemonstrationJson
+from maestra.language.lexicon_format import WORDS_FORMAT, WordsJson
 from maestra.rules.exercise_format import EXERCISE_FORMAT, ExerciseJson
+from maestra.rules.rule_json import RULES_FORMAT, RulesJson
 
 FOLDER: Final = Path(__file__).parents[1] / "docs" / "schemas"
 MODELS: Final[dict[str, type[BaseModel]]] = {
     DEMONSTRATION_FORMAT: DemonstrationJson,
     EXERCISE_FORMAT: ExerciseJson,
+    RULES_FORMAT: RulesJson,
+    WORDS_FORMAT: WordsJson,
 }
 """Each format with the model that reads it."""
 

@@ -12,14 +12,6 @@ from maestra.rules.judging import Allowed, Judge
 from maestra.rules.paper import PAPER_EXERCISES, PaperExercise
 from scripts.write_examples import EXERCISES, FOLDER, files
 
-PAPER = {
-    "odd-ascending": PAPER_EXERCISES["odd-ascending"],
-    "ascending": PAPER_EXERCISES["ascending"],
-    "descending": PAPER_EXERCISES["descending"],
-    "first-row": PAPER_EXERCISES["first-row"],
-    "curie": PAPER_EXERCISES["word"],
-    "letters": PAPER_EXERCISES["alphabetical"],
-}
 NAMES = pytest.mark.parametrize("name", EXERCISES)
 
 
@@ -33,7 +25,7 @@ def shown(name: str) -> list[Demonstration]:
 
 def judge(name: str) -> Judge:
     demonstrations = shown(name)
-    exercise = learn_grounded(demonstrations, features=PAPER[name].features)
+    exercise = learn_grounded(demonstrations, features=PAPER_EXERCISES[name].features)
     return Judge(exercise, demonstrations[0].deck)
 
 
@@ -45,14 +37,18 @@ def test_the_examples_are_those_that_the_script_writes() -> None:
     assert written == files(), "run: make examples"
 
 
-@pytest.mark.parametrize(("name", "paper"), PAPER.items())
+def test_there_are_examples_of_the_papers_six_exercises() -> None:
+    assert EXERCISES.keys() == PAPER_EXERCISES.keys()
+
+
+@pytest.mark.parametrize(("name", "paper"), PAPER_EXERCISES.items())
 def test_an_examples_demonstrations_are_as_few_as_the_papers(
     name: str, paper: PaperExercise
 ) -> None:
     assert len(shown(name)) == paper.fewest
 
 
-@pytest.mark.parametrize(("name", "paper"), PAPER.items())
+@pytest.mark.parametrize(("name", "paper"), PAPER_EXERCISES.items())
 def test_an_examples_demonstrations_teach_the_exercise_exactly(
     name: str, paper: PaperExercise
 ) -> None:
@@ -66,7 +62,7 @@ def test_none_of_the_demonstrations_of_an_ordering_can_be_spared(left_out: int) 
     demonstrations = shown("ascending")
     del demonstrations[left_out]
     model = learn_grounded(demonstrations).model
-    truth = ground_truth(PAPER["ascending"].plays(), model.vocabulary)
+    truth = ground_truth(PAPER_EXERCISES["ascending"].plays(), model.vocabulary)
     assert model.preconditions != truth.preconditions
 
 

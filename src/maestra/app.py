@@ -11,11 +11,11 @@ if TYPE_CHECKING:
     from maestra.learning.planning import Planner
 
 PLANNER_NAMES: Final = tuple(PLANNERS)
-"""The planners that `planner_named` knows; whether an engine is installed shows when it solves."""
+"""The planners that `planner_named` knows."""
 
 
 def planner_named(name: str) -> Planner:
-    """The planner of this name; its engine is not looked for yet.
+    """The planner of this name; whether its engine is installed shows when it solves.
 
     Raises:
         InvalidError: there is none.

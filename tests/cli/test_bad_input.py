@@ -62,8 +62,10 @@ def test_judge_and_moves_refuse_the_same(
         ),
         (
             changed((("format",), "maestra.demonstration/2")),
-            'line 1: format: "maestra.demonstration/2", which needs a newer Maestra, '
-            'expected "maestra.demonstration/1" or older',
+            (
+                'line 1: format: "maestra.demonstration/2", which needs a newer Maestra, '
+                'expected "maestra.demonstration/1" or older'
+            ),
         ),
         (
             changed((("format",), "maestra.exercise/1")),
@@ -112,8 +114,10 @@ def test_a_line_of_a_gigabyte_is_refused_before_it_is_read(
     [
         (
             "less-then",
-            "--features less-then: unknown feature, "
-            "expected a known one, the nearest is less-than",
+            (
+                "--features less-then: unknown feature, "
+                "expected a known one, the nearest is less-than"
+            ),
         ),
         (
             "vowel",
@@ -158,7 +162,7 @@ def test_a_file_that_is_not_there_is_refused(
 
 def test_a_play_on_another_board_than_the_exercises_is_refused(exercise: Path) -> None:
     play = json.loads((EXAMPLES / "plays" / "ascending.jsonl").read_text().splitlines()[0])
-    play |= {"board": {"rows": 5}, "moves": []}
+    play |= {"board": {"rows": 5}, "moves": [], "times_ms": []}
     for command in ("judge", "moves"):
         ran = maestra(command, exercise, "-", typed=json.dumps(play).encode())
         assert (ran.code, ran.out) == (2, "")

@@ -6,6 +6,7 @@ import typer
 
 from maestra import __version__
 from maestra.cli import program
+from maestra.cli.terms import ReaderGoneError
 from tests.cli.running import maestra
 
 COMMANDS = ("learn", "explain", "moves", "judge", "export", "features", "demo", "experiment")
@@ -119,7 +120,7 @@ def test_a_fault_of_ours_can_show_where_it_happened(monkeypatch: pytest.MonkeyPa
 
 @pytest.mark.parametrize(
     ("error", "code"),
-    [(KeyboardInterrupt(), 130), (typer.Abort(), 130), (BrokenPipeError(), 141)],
+    [(KeyboardInterrupt(), 130), (typer.Abort(), 130), (ReaderGoneError(), 141)],
 )
 def test_an_end_from_outside_is_quiet(
     monkeypatch: pytest.MonkeyPatch, error: BaseException, code: int

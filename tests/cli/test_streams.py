@@ -18,6 +18,7 @@ from maestra.cli.streams import (
     size_of,
     write_file,
 )
+from maestra.cli.terms import ReaderGoneError
 from maestra.core.json_lines import FormatError
 
 
@@ -160,6 +161,16 @@ def test_standard_output_without_room_is_named(monkeypatch: pytest.MonkeyPatch) 
     with pytest.raises(OSError, match="No space left") as caught:
         print_lines(["x"])
     assert caught.value.filename == "standard output"
+
+
+def test_a_reader_that_is_gone_is_told_apart(monkeypatch: pytest.MonkeyPatch) -> None:
+    class Closed(io.StringIO):
+        def flush(self) -> None:
+            raise BrokenPipeError
+
+    monkeypatch.setattr(sys, "stdout", Closed())
+    with pytest.raises(ReaderGoneError):
+        print_lines(["x"])
 
 
 def shown_while(monkeypatch: pytest.MonkeyPatch, work: Callable[[streams.Advance], None]) -> str:

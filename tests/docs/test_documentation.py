@@ -23,6 +23,8 @@ PAGES: Final = tuple(
 # marked by-hand and not here fails, and so does one here that no page has any more.
 BY_HAND: Final = {
     ("README.md", "$ make run"): "waits for a person",
+    ("README.md", "$ source .venv/bin/activate"): "changes the reader's shell",
+    ("docs/tutorial/first-steps.md", "$ source .venv/bin/activate"): "changes the reader's shell",
     ("README.md", "$ make test"): "runs this very test",
     ("CONTRIBUTING.md", "$ make setup"): "changes the environment the tests run in",
     ("CONTRIBUTING.md", "$ make test"): "runs this very test",

@@ -111,7 +111,7 @@ def ways_on(play: Play) -> int:
 
 
 @st.composite
-def plays_from(draw: st.DrawFn, setting: Setting, ways: int = 1_000) -> Play:
+def plays_from(draw: st.DrawFn, setting: Setting, ways: int = 300) -> Play:
     """A play of any length that can go on in at most `ways` ways, ending at once included."""
     play = Play.begin(setting)
     wanted = draw(st.integers(0, play.room))
@@ -326,7 +326,8 @@ def rules_for(deck: Deck, board: Board) -> st.SearchStrategy[Rule]:
 
 def every_way_on(play: Play) -> list[Play]:
     """The play and all that continue it: the slow and obvious list."""
-    found, todo = [], [play]
+    found: list[Play] = []
+    todo = [play]
     while todo:
         now = todo.pop()
         found.append(now)

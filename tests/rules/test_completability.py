@@ -29,7 +29,7 @@ def _conjunctions(draw: st.DrawFn) -> tuple[Conjunction, Play]:
         rules.append(FullRow())
     if draw(st.booleans()):
         rules.append(FillOrder(draw(st.sampled_from(Filling))))
-    return Conjunction(tuple(rules), setting), draw(plays_from(setting, 400))
+    return Conjunction(tuple(rules), setting), draw(plays_from(setting, 150))
 
 
 @given(_conjunctions())

@@ -10,8 +10,8 @@ from maestra.learning.grounded import GroundedLearner
 from maestra.rules import completion
 from maestra.rules.completion import Completion, Prospect, search_states
 from maestra.rules.demands import Demands
-from maestra.rules.features import CellFeature, select_features
-from maestra.rules.literals import Placed
+from maestra.rules.features import CellFeature, PairFeature, select_features
+from maestra.rules.literals import Placed, Related
 from maestra.rules.strips import Action, ActionModel
 from maestra.rules.vocabulary import Level, Vocabulary
 from tests.rules import by_definition
@@ -123,6 +123,49 @@ def test_a_deck_with_something_unknown_is_refused() -> None:
     other = Deck((Token(TokenId("x"), (("value", 99),)),))
     with pytest.raises(InvalidError, match=r"tokens\.x"):
         Completion(exercise.model, exercise.lengths, other)
+
+
+def test_a_token_that_wants_something_on_a_cell_does_not_come_while_it_is_empty() -> None:
+    deck = Deck(tuple(Token(TokenId(f"t{n}"), (("value", n),)) for n in (1, 2)))
+    words = Vocabulary(Board(2, 3), deck, Level.A, select_features(deck, ["cells", "less-than"]))
+    frame = [Placed(CellFeature(name), value=True) for name in ("from-storage", "to-goal-row")]
+    smaller = Related(words.board.goal_cells[0], PairFeature("less-than", "value"), converse=False)
+    one, two = words.shown
+    wanting = words.bits([*frame, smaller])
+    model = ActionModel(words, {Action(one, 1): words.bits(frame), Action(two, 2): wanting})
+    found = Completion(model, frozenset({2}), deck)
+    storage = words.board.storage_cells
+
+    def after_first(column: int) -> State:
+        cells = (words.board.goal_cells[column - 1], storage[1])
+        return State(words.board, {t.id: at for t, at in zip(deck.tokens, cells, strict=True)})
+
+    begin = State(words.board, {t.id: at for t, at in zip(deck.tokens, storage, strict=False)})
+    assert found.prospect(begin, 0) is Prospect.POSSIBLE
+    assert found.prospect(after_first(1), 1) is Prospect.POSSIBLE
+    assert found.prospect(after_first(2), 1) is Prospect.IMPOSSIBLE
+
+
+def test_a_token_that_goes_straight_up_comes_only_where_its_column_is_free() -> None:
+    deck = Deck(tuple(Token(TokenId(f"t{n}"), (("value", n),)) for n in (1, 2)))
+    words = Vocabulary(Board(3, 2), deck, Level.A, select_features(deck, ["same-column"]))
+    names = ("from-storage", "to-goal-row", "same-column")
+    straight_up = words.bits(Placed(CellFeature(name), value=True) for name in names)
+    model = ActionModel(
+        words, {Action(shown, step): straight_up for shown in words.shown for step in (1, 2)}
+    )
+    found = Completion(model, frozenset({2}), deck)
+    left, right, under_left, *_ = (*words.board.storage_cells,)
+
+    def lying(first: Cell, second: Cell) -> State:
+        cells = (first, second)
+        return State(words.board, {t.id: at for t, at in zip(deck.tokens, cells, strict=True)})
+
+    assert found.prospect(lying(left, right), 0) is Prospect.POSSIBLE
+    assert found.prospect(lying(left, under_left), 0) is Prospect.IMPOSSIBLE
+    taken = words.board.goal_cells[0]
+    assert found.prospect(lying(taken, right), 1) is Prospect.POSSIBLE
+    assert found.prospect(lying(taken, left), 1) is Prospect.IMPOSSIBLE
 
 
 # ------------------------------------------------------------------ giving up

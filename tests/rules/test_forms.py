@@ -34,4 +34,6 @@ def test_prospects_agree_with_every_way_to_go_on(form: type[Form], data: st.Data
     right = [holds(rule, way) for way in ways]
     expected = Prospect.KEPT if all(right) else Prospect.OPEN if any(right) else Prospect.BROKEN
     assert prospect(rule, play) is expected
+    assert rule.certain(play) is all(right)
+    assert rule.possible_with(play, 0) or not any(right)
     assert holding([rule], Plays.of(setting, ways)).tolist() == right

@@ -7,7 +7,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from maestra.rules import right_rows
-from maestra.rules.right_rows import RightRows, TooManyRowsError
+from maestra.rules.right_rows import RightRows, UndecidedError
 
 TOKENS = 5
 
@@ -41,8 +41,7 @@ def listed(rows: RightRows) -> list[tuple[int, ...]]:
         for row in permutations(range(TOKENS), len(rows.domains))
         if all(domain >> token & 1 for domain, token in zip(rows.domains, row, strict=True))
         and all(
-            rows.before is None or rows.before[right] >> left & 1
-            for left, right in pairwise(row)
+            rows.before is None or rows.before[right] >> left & 1 for left, right in pairwise(row)
         )
     ]
 
@@ -68,5 +67,5 @@ def test_what_lies_together_is_what_some_row_has_together(rows: RightRows) -> No
 def test_too_many_rows_are_refused_not_guessed(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(right_rows, "MAX_WORK", 3)
     rows = RightRows((0b11111, 0b01111, 0b11111))
-    with pytest.raises(TooManyRowsError):
+    with pytest.raises(UndecidedError):
         rows.possible(0)

@@ -78,12 +78,11 @@ def maestra(
     ] = False,
 ) -> None:
     """Print the version or the help when no command is named."""
-    if version:
-        typer.echo(f"maestra {__version__}")
-    elif context.invoked_subcommand is None:
-        typer.echo(context.get_help())
-    else:
+    if context.invoked_subcommand is not None and not version:
         return
+    from maestra.cli.streams import print_lines
+
+    print_lines([f"maestra {__version__}" if version else context.get_help()])
     raise typer.Exit
 
 

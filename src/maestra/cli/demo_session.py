@@ -21,6 +21,7 @@ from maestra.cli.demo_stages import (
     Teaching,
     Tone,
 )
+from maestra.cli.demo_telling import moves_of, new_rules, understood
 from maestra.cli.demo_words import Command, Unclear, Wish, Word, understand
 from maestra.cli.drawing import label
 from maestra.cli.lesson import Speech
@@ -31,12 +32,9 @@ from maestra.core.tokens import Deck, TokenId
 from maestra.language import reason
 from maestra.language.terminal import TerminalKey as Key
 from maestra.rules.judging import Allowed, JudgedMove
-from maestra.rules.summary import Check
 
 MAX_AT_ONCE: Final = 30
 """Right plays that Maestra shows for one request."""
-MAX_GAPS: Final = 5
-"""What is not clear yet: as much as a person reads between two plays."""
 STARTS_TRIED: Final = 20
 """Arrangements looked at for one from which some move is right."""
 
@@ -198,7 +196,7 @@ class _Teacher:
             case Unclear():
                 return self._stay(_unknown(self.speech))
 
-    def _obey(self, word: Word, count: int) -> Step:  # noqa: PLR0911 - one case a command
+    def _obey(self, word: Word, count: int) -> Step:
         match word:
             case Word.UNDO:
                 return self._undo()
@@ -258,11 +256,11 @@ class _Teacher:
             play = subject.right_play(shown, self.chance)
             if number:
                 outputs.append(_nth(Taught(subject, shown), self.speech))
-            outputs += _moves_of(play, self.speech, one_by_one=count == 1)
+            outputs += moves_of(play, self.speech, one_by_one=count == 1)
             shown = (*shown, play)
             if number + 1 < min(count, MAX_AT_ONCE):
                 before = Taught(subject, shown[:-1])
-                outputs += _new_rules(before, Taught(subject, shown), self.speech)
+                outputs += new_rules(before, Taught(subject, shown), self.speech)
         return self._learned(shown[len(self.taught.shown) :], tuple(outputs))
 
     def _learned(self, shown: tuple[Demonstration, ...], outputs: tuple[Output, ...]) -> Step:
@@ -273,7 +271,7 @@ class _Teacher:
         play = self.speech.say(Key.TYPE_PLAY)
         return stage, (
             *outputs,
-            *_understood(before, taught, self.speech),
+            *understood(before, taught, self.speech),
             Said(self.speech.say(Key.NEXT_STEP, play=play), Tone.ASIDE),
             _nth(taught, self.speech),
             Drawn(stage.start, taught.subject.deck),
@@ -303,7 +301,7 @@ class _Player:
             case Unclear():
                 return self.stage, (_unknown(self.speech),)
 
-    def _obey(self, word: Word) -> Step:  # noqa: PLR0911 - one case a command
+    def _obey(self, word: Word) -> Step:
         match word:
             case Word.HINT:
                 return self.stage, (self._hint(),)
@@ -376,48 +374,3 @@ def _unknown(speech: Speech) -> Said:
 def _help(key: Key, subject: Subject, speech: Speech) -> Said:
     typed = {word.name.lower(): speech.say(word.value) for word in Word}
     return Said(speech.say(key, token=_example(subject.deck), **typed))
-
-
-def _moves_of(play: Demonstration, speech: Speech, *, one_by_one: bool) -> list[Output]:
-    """A play that Maestra shows: each move, or only the tokens in their order."""
-    tokens = [label(play.deck.by_id[move.token]) for move in play.moves]
-    if not one_by_one:
-        return [Said("  ".join(tokens))]
-    said = [
-        Said(speech.say(Key.I_MOVE, token=token, column=move.destination.column))
-        for token, move in zip(tokens, play.moves, strict=True)
-    ]
-    return [Drawn(play.start, play.deck), *said, Drawn(play.end, play.deck)]
-
-
-def _rules(taught: Taught, speech: Speech) -> list[str]:
-    """The rules in words; none before anything was shown."""
-    return [one.text for one in speech.rules(taught.summary)] if taught.shown else []
-
-
-def _new_rules(before: Taught, taught: Taught, speech: Speech) -> list[Output]:
-    """The rules that were not there before."""
-    known = _rules(before, speech)
-    new = [text for text in _rules(taught, speech) if text not in known]
-    return [Said(f"+ {text}", Tone.NEW) for text in new]
-
-
-def _understood(before: Taught, taught: Taught, speech: Speech) -> list[Output]:
-    """All that is understood, what is new marked, and what is not clear yet."""
-    known = _rules(before, speech)
-    outputs: list[Output] = [Said(speech.say(Key.UNDERSTOOD), Tone.HEADING)]
-    for text in _rules(taught, speech):
-        is_new = text not in known
-        outputs.append(
-            Said(f"{'+' if is_new else ' '} {text}", Tone.NEW if is_new else Tone.PLAIN)
-        )
-    gaps = speech.gaps(taught.summary)
-    if gaps:
-        outputs.append(Said(speech.say(Key.STILL_NARROW)))
-        outputs += [Said(f"  - {gap.text}", Tone.ASIDE) for gap in gaps[:MAX_GAPS]]
-        if len(gaps) > MAX_GAPS:
-            more = speech.say(Key.AND_MORE, count=len(gaps) - MAX_GAPS)
-            outputs.append(Said(f"  - {more}", Tone.ASIDE))
-    elif taught.summary.check is Check.SAME:
-        outputs.append(Said(speech.say(Key.ALL_CLEAR), Tone.GOOD))
-    return outputs

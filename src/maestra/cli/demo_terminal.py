@@ -20,11 +20,11 @@ from maestra.language.terminal import TerminalKey
 
 PROMPT: Final = "> "
 _LOOKS: Final = {
-    Look.LINE: "dim",
+    Look.LINE: "",
     Look.GOAL: "on grey93",
     Look.STORAGE: "on blue",
     Look.TOKEN: "bold black on bright_yellow",
-    Look.NOTE: "dim",
+    Look.NOTE: "",
 }
 _TONES: Final = {
     Tone.PLAIN: "",
@@ -32,7 +32,7 @@ _TONES: Final = {
     Tone.GOOD: "green",
     Tone.WRONG: "yellow",
     Tone.NEW: "bold cyan",
-    Tone.ASIDE: "dim",
+    Tone.ASIDE: "italic",
 }
 _MAX_CHANCE: Final = 2**32
 
@@ -92,6 +92,10 @@ class _Screen:
             except EOFError:
                 self._console.print()
                 return
+            except KeyboardInterrupt:
+                # The shell's prompt shall not stand behind ours.
+                self._console.print()
+                raise
             except UnicodeDecodeError:
                 line = "?"
             if not sys.stdin.isatty():

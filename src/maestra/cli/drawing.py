@@ -24,7 +24,7 @@ class Look(Enum):
     LINE = "line"
     GOAL = "goal"
     STORAGE = "storage"
-    TOKEN = "token"  # noqa: S105 - one that lies on the board
+    TOKEN = "token"
     NOTE = "note"
 
 

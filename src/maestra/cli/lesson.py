@@ -19,7 +19,8 @@ from maestra.language import (
 )
 from maestra.language.terminal import TerminalKey, terminal_sentence
 from maestra.learning.compiled import CompiledReport
-from maestra.learning.suspects import doubts_without_rule
+from maestra.learning.suspects import doubts, doubts_without_rule
+from maestra.rules.accepted import accepted_plays
 from maestra.rules.exercise import GroundedExercise
 from maestra.rules.summary import Check, Narrow, Summary, Unseen
 
@@ -117,9 +118,18 @@ class Lesson:
 def next_to_show(
     exercise: GroundedExercise, summary: Summary, shown: Sequence[Demonstration]
 ) -> Demonstration | None:
-    """The demonstration that would settle most; None when nothing is open."""
+    """The demonstration that would settle most; None when nothing is open.
+
+    Of the plays that the rules accept, if these can be listed and one tells something; else a
+    play that was shown, from another start.
+    """
     if summary.check is Check.SAME:
         return None
+    accepted = accepted_plays(summary)
+    if accepted is not None and accepted.count:
+        telling = doubts(exercise, accepted).next_demonstration
+        if telling is not None:
+            return telling
     return doubts_without_rule(exercise, shown[:MAX_LOOKED_AT]).next_demonstration
 
 

@@ -5,7 +5,7 @@ from collections.abc import Iterator
 from maestra.cli.streams import Advance, named, read_chunks, read_whole
 from maestra.core.demonstration import Play
 from maestra.core.formats import read_plays
-from maestra.language import NO_LEXICON, Lexicon
+from maestra.language import NO_LEXICON, Lexicon, read_words
 from maestra.rules.exercise import GroundedExercise
 from maestra.rules.exercise_format import decode_exercise
 
@@ -27,11 +27,7 @@ def words_in(path: str | None) -> Lexicon:
         OSError: the file cannot be read.
         FormatError: it holds something else.
     """
-    if path is None:
-        return NO_LEXICON
-    from maestra.language import read_words
-
-    return read_words(read_whole(path), named(path))
+    return NO_LEXICON if path is None else read_words(read_whole(path), named(path))
 
 
 def plays_in(path: str, advance: Advance | None = None) -> Iterator[tuple[int, Play]]:

@@ -10,8 +10,14 @@ from typing import Final, NoReturn
 import typer
 
 from maestra.cli.commands import app
-from maestra.cli.streams import STANDARD_OUTPUT
-from maestra.cli.terms import BAD_INPUT, FAULT_OF_OURS, INTERRUPTED, PIPE_CLOSED
+from maestra.cli.terms import (
+    BAD_INPUT,
+    FAULT_OF_OURS,
+    INTERRUPTED,
+    PIPE_CLOSED,
+    STANDARD_OUTPUT,
+    ReaderGoneError,
+)
 
 TRACEBACK_VARIABLE: Final = "MAESTRA_TRACEBACK"
 """Set to anything, a fault of Maestra itself shows where it happened."""
@@ -38,7 +44,7 @@ def main(arguments: Sequence[str] | None = None) -> NoReturn:
     sys.exit(code)
 
 
-def run(arguments: Sequence[str]) -> int:  # noqa: PLR0911 - one case for each way to end
+def run(arguments: Sequence[str]) -> int:
     """Run Maestra with `arguments`; its exit code. What is wrong is said in one line."""
     try:
         answer: object = app(args=list(arguments), prog_name="maestra", standalone_mode=False)
@@ -46,7 +52,7 @@ def run(arguments: Sequence[str]) -> int:  # noqa: PLR0911 - one case for each w
         return _refuse(_one_line(error.format_message()))
     except (KeyboardInterrupt, typer.Abort):
         return INTERRUPTED
-    except BrokenPipeError:
+    except ReaderGoneError:
         return PIPE_CLOSED
     except OSError as error:
         return _refuse(describe(error))

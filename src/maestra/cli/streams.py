@@ -7,17 +7,15 @@ import json
 import os
 import stat
 import sys
-import tempfile
 import time
 from collections.abc import Callable, Generator, Iterable, Iterator
 from pathlib import Path
 from typing import IO, Final, TypeAlias, cast
 
+from maestra.cli.terms import STANDARD_INPUT, STANDARD_OUTPUT, ReaderGoneError
+
 STANDARD: Final = "-"
 """The name of standard input or output on the command line."""
-STANDARD_INPUT: Final = "standard input"
-STANDARD_OUTPUT: Final = "standard output"
-"""Their names in messages."""
 CHUNK_BYTES: Final = 2**16
 """Read at a time: what a pipe holds on Linux."""
 MAX_EXERCISE_BYTES: Final = 2**28
@@ -116,11 +114,14 @@ def print_lines(lines: Iterable[str]) -> None:
     """Lines on standard output, where a reader finds them at once.
 
     Raises:
-        OSError: nobody reads, or there is no room; with the name of standard output.
+        ReaderGoneError: nobody reads them.
+        OSError: they cannot be written; with the name of standard output.
     """
     try:
         sys.stdout.writelines(f"{line}\n" for line in lines)
         sys.stdout.flush()
+    except BrokenPipeError:
+        raise ReaderGoneError from None
     except OSError as error:
         error.filename = STANDARD_OUTPUT
         raise
@@ -197,6 +198,8 @@ def _read(file: io.BufferedReader, path: str) -> bytes:
 @contextlib.contextmanager
 def _scratch_beside(target: Path) -> Generator[IO[bytes]]:
     """A new file in the same folder, so that renaming it is one step; gone if that fails."""
+    import tempfile
+
     with tempfile.NamedTemporaryFile(dir=target.parent, prefix=".maestra-", delete=False) as file:
         try:
             yield file

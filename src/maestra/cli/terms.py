@@ -1,4 +1,4 @@
-"""What the exit codes are."""
+"""Exit codes, and the words and errors that all commands share; imports nothing."""
 
 from typing import Final
 
@@ -12,3 +12,11 @@ INTERRUPTED: Final = 130
 """Ctrl-C: 128 and the signal's number, as shells report it."""
 PIPE_CLOSED: Final = 141
 """Nobody reads our output any more: 128 and the number of SIGPIPE."""
+
+STANDARD_INPUT: Final = "standard input"
+STANDARD_OUTPUT: Final = "standard output"
+"""Their names in messages."""
+
+
+class ReaderGoneError(Exception):
+    """Nobody reads our output any more; typer would take a BrokenPipeError for a fault."""

@@ -16,7 +16,7 @@ from dataclasses import dataclass
 from enum import Enum
 from functools import cache
 from random import Random
-from typing import Final
+from typing import Final, assert_never
 
 from maestra.core.demonstration import Demonstration
 from maestra.core.faults import Fault, InvalidError
@@ -158,6 +158,8 @@ def _shown(settings: CurveSettings, choice: Choice, number: int) -> Iterator[Dem
             plays = settings.paper_exercise.plays()
             for _ in range(settings.demonstrations):
                 yield plays.play(rng.randrange(plays.count))
+        case _:
+            assert_never(choice)
 
 
 @cache

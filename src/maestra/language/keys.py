@@ -64,7 +64,7 @@ class Key(Enum):
     THE_ONE_TO_TAKE = "the-one-to-take"
     TAKE_OF_THOSE = "take-of-those"
     # rules: what lies beside what
-    EACH_TOKEN = "each-token"  # noqa: S105 - no password, a token of the board
+    EACH_TOKEN = "each-token"
     IN_EACH_PAIR = "in-each-pair"
     IN_RIGHT_HALF = "in-right-half"
     SUBJECT_MUST = "subject-must"
@@ -113,11 +113,11 @@ class Key(Enum):
     MIDDLE_OF_ROW = "middle-of-row"
     NTH_PLACED = "nth-placed"
     LAST_PLACED = "last-placed"
-    TOKEN_ON_ITS_LEFT = "token-on-its-left"  # noqa: S105 - no password, a token of the board
-    TOKEN_ON_ITS_RIGHT = "token-on-its-right"  # noqa: S105 - no password, a token of the board
-    TOKEN_IN_PLACE = "token-in-place"  # noqa: S105 - no password, a token of the board
+    TOKEN_ON_ITS_LEFT = "token-on-its-left"
+    TOKEN_ON_ITS_RIGHT = "token-on-its-right"
+    TOKEN_IN_PLACE = "token-in-place"
     IT = "it"
-    TOKEN_IN_COLUMN = "token-in-column"  # noqa: S105 - no password, a token of the board
+    TOKEN_IN_COLUMN = "token-in-column"
     WHAT_LIES_IN_COLUMNS = "what-lies-in-columns"
     WHAT_LIES_THERE = "what-lies-there"
     # gaps
@@ -141,7 +141,7 @@ class Key(Enum):
     COMES_FROM_STORAGE = "comes-from-storage"
     GOES_TO_GOAL_ROW = "goes-to-goal-row"
     IT_DOES = "it-does"
-    TOKEN_THERE_DOES = "token-there-does"  # noqa: S105 - no password, a token of the board
+    TOKEN_THERE_DOES = "token-there-does"
     LIES_THERE = "lies-there"
     # why a move was refused
     NOT_SO = "not-so"

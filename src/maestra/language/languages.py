@@ -5,7 +5,7 @@ from __future__ import annotations
 import importlib
 from dataclasses import dataclass
 from enum import Enum
-from functools import cache
+from functools import cache, lru_cache
 from typing import Protocol, cast
 
 from maestra.core.board import Board
@@ -48,10 +48,14 @@ def _load(language: Language) -> _Loaded:
     return _Loaded(package.WORDS, package.GRAMMAR)
 
 
+@lru_cache(maxsize=32)
 def speaker_for(
     language: Language, board: Board, deck: Deck, lexicon: Lexicon = NO_LEXICON
 ) -> Speaker:
-    """Says things about a board and deck in a language, with a caregiver's words first."""
+    """Says things about a board and deck in a language, with a caregiver's words first.
+
+    The last ones are kept: a speaker remembers the names of tokens.
+    """
     loaded = _load(language)
     words = lexicon.added_to(loaded.words, language.value)
     return Speaker(loaded.grammar, words, board, deck)

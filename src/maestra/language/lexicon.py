@@ -9,7 +9,7 @@ from typing import Final
 from maestra.language.tongue import NO_OWN_WORDS, OwnWords, Words
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Lexicon:
     """Words by the code of their language; what is missing is said with the words there are."""
 

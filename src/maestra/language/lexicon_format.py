@@ -83,19 +83,19 @@ class RelationJson(_Strict):
 class WordsJson(_Strict):
     """A file of words."""
 
-    format: Literal["maestra.words/1"]
-    attributes: dict[_Word, dict[Literal["en", "es", "ca"], AttributeJson]] = Field(
-        default_factory=dict[str, dict[Literal["en", "es", "ca"], AttributeJson]]
-    )
+    format: Annotated[Literal["maestra.words/1"], Field(description="What the file is.")]
+    attributes: Annotated[
+        dict[_Word, dict[Literal["en", "es", "ca"], AttributeJson]],
+        Field(description="Attribute, as the tokens name it, to its words in each language."),
+    ] = Field(default_factory=dict[str, dict[Literal["en", "es", "ca"], AttributeJson]])
     values: Annotated[
         dict[_Word, dict[_Word, _ByLanguage]],
-        Field(
-            description="Attribute, value as tokens show it, and its word in each language."
-        ),
+        Field(description="Attribute, value as tokens show it, and its word in each language."),
     ] = Field(default_factory=dict[str, dict[str, _ByLanguage]])
-    relations: dict[_Word, dict[Literal["en", "es", "ca"], RelationJson]] = Field(
-        default_factory=dict[str, dict[Literal["en", "es", "ca"], RelationJson]]
-    )
+    relations: Annotated[
+        dict[_Word, dict[Literal["en", "es", "ca"], RelationJson]],
+        Field(description="Relation, as the deck names it, to its words in each language."),
+    ] = Field(default_factory=dict[str, dict[Literal["en", "es", "ca"], RelationJson]])
 
     def lexicon(self) -> Lexicon:
         """The words by language.

@@ -33,7 +33,7 @@ class Two:
     subject: Phrase | None
     other: Phrase
 
-    def stands(self, relation: Relation) -> Does:  # noqa: PLR0911 - one for each relation
+    def stands(self, relation: Relation) -> Does:
         """That the other is the first of the pair and the subject the second."""
         match relation:
             case Compare(attribute, comparison, own):

@@ -122,7 +122,7 @@ class Rules:
         """The board they are said about."""
         return self.tokens.board
 
-    def says(self, rule: Rule) -> Say:  # noqa: C901, PLR0911, PLR0912 - one case for each form
+    def says(self, rule: Rule) -> Say:  # noqa: C901, PLR0912 - one case for each form
         """The rule as a sentence."""
         match rule:
             case EveryToken(test):
@@ -181,7 +181,7 @@ class Rules:
                 return _equation(rule)
             case At(position, test, line):
                 subject = _at(position, line)
-                return say(Key.SUBJECT_MUST, subject=subject, does=self._does(test, subject))
+                return say(Key.SUBJECT_MUST, subject=subject, does=self.does(test, subject))
             case IfThen(condition, consequence):
                 return say(
                     Key.IF_THEN,
@@ -200,7 +200,7 @@ class Rules:
                 return self.placing(filling, None)
             case Before(first, second, line):
                 key = Key.ALL_BEFORE if line is Line.TIME else Key.ALL_LEFT_OF
-                return say(key, first=self._does(first), second=self._does(second))
+                return say(key, first=self.does(first), second=self.does(second))
             case Follows():
                 return self._follows(rule)
             case ModelRow(row, reading, relation):
@@ -231,7 +231,8 @@ class Rules:
             tokens = say(Key.SO_MANY_TOKENS, count=many)
         return say(Key.PLACE, tokens=tokens, row=InRow(self.board.goal_row), order=order)
 
-    def _does(self, test: TokenTest, subject: Phrase | None = None) -> Does | Several:
+    def does(self, test: TokenTest, subject: Phrase | None = None) -> Does | Several:
+        """That a token passes a test."""
         said = self.tokens.passes(test, subject)
         return does(Predicate.ANYTHING, subject) if said is None else said
 
@@ -244,7 +245,7 @@ class Rules:
         kind = self.tokens.kind(positive)
         if kind is not None:
             return say(Key.ONLY if positive is test else Key.NONE, kind=kind)
-        return say(Key.ONLY_THAT, does=self._does(test))
+        return say(Key.ONLY_THAT, does=self.does(test))
 
     def _source(self, test: Has, *, negated: bool) -> Say | None:
         """From which row or column tokens come, if the test asks that."""
@@ -261,7 +262,7 @@ class Rules:
             return say(Key.USE_ALL, kind=kind)
         if isinstance(test, Anything):
             return say(Key.USE_ALL_TOKENS)
-        return say(Key.USE_ALL_THAT, does=self._does(test))
+        return say(Key.USE_ALL_THAT, does=self.does(test))
 
     def _ordered(self, rule: Ordered) -> Say:
         return self._each_pair(EachPair(Pairs.NEIGHBOURS, relation_of(rule), rule.line))
@@ -317,18 +318,18 @@ class Rules:
         return say(key, amount=amount, does=said)
 
     def _compares_counts(self, rule: CompareCounts) -> Say:
-        first, second = self._does(rule.first), self._does(rule.second)
+        first, second = self.does(rule.first), self.does(rule.second)
         return say(_COUNTS[rule.comparison], first=first, second=second)
 
     def _condition(self, condition: At | Counted) -> Say:
         match condition:
             case At(position, test, line):
                 subject = _at(position, line)
-                return say(Key.SUBJECT_DOES, subject=subject, does=self._does(test, subject))
+                return say(Key.SUBJECT_DOES, subject=subject, does=self.does(test, subject))
             case Counted(test, comparison, number):
                 amount = _amount(comparison, Count(number))
                 key = Key.ROW_HAS_ONE_THAT if number == 1 else Key.ROW_HAS_MANY_THAT
-                return say(key, amount=amount, does=self._does(test))
+                return say(key, amount=amount, does=self.does(test))
             case _:
                 assert_never(condition)
 
@@ -364,7 +365,7 @@ class Rules:
             (Line.ROW, True): Key.NEXT_RIGHT_OF,
             (Line.ROW, False): Key.LATER_RIGHT_OF,
         }[rule.line, rule.immediately]
-        return say(key, first=self._does(rule.test), second=self._does(rule.follower))
+        return say(key, first=self.does(rule.test), second=self.does(rule.follower))
 
 
 def relation_of(rule: Ordered | EachPair) -> Relation:

@@ -74,9 +74,7 @@ class Tokens:
         things = Things(test.feature.attribute)
         return Kind(predicate, MappingProxyType({**parts, "things": things}))
 
-    def passes(  # noqa: PLR0911 - one for each test
-        self, test: TokenTest, subject: Phrase | None = None
-    ) -> Does | Several | None:
+    def passes(self, test: TokenTest, subject: Phrase | None = None) -> Does | Several | None:
         """That a token passes a test; None if every token does."""
         match test:
             case Anything():

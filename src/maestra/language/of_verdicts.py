@@ -80,8 +80,8 @@ class Reasons:
             case AfterTheEnd():
                 yield say(Key.AFTER_THE_END)
             case NotShown(action):
-                yield from self._of_rules()
-                yield from self._of_unknown(action)
+                broken = list(self._of_rules())
+                yield from broken or self._of_unknown(action)
             case BrokenPrecondition(_, literals):
                 yield from self._of_rules()
                 yield from self._of_literals(literals)
@@ -118,9 +118,7 @@ class Reasons:
             case StraightUp(mirrored=False):
                 yield say(Key.OTHER_COLUMN, token=self._moved)
             case EveryToken(test):
-                said = self._tokens.passes(test, self._moved)
-                if said is not None:
-                    yield say(Key.NOT_SO, does=opposite(said))
+                yield _not_so(Rules(self._tokens).does(test, self._moved))
             case Ordered() | EachPair():
                 yield from self._of_neighbours(rule)
             case Pattern():
@@ -152,16 +150,15 @@ class Reasons:
         relation = relation_of(rule)
         other = say(Key.TOKEN_ON_ITS_LEFT, token=shown[0])
         yield _not_so(Two(self._tokens, shown[1], other).stands(relation))
-        nameless = say(Key.THE_ONE_ON_ITS_LEFT)
-        yield _not_so(Two(self._tokens, say(Key.IT), nameless).stands(relation))
+        for shorter in (other, say(Key.THE_ONE_ON_ITS_LEFT)):
+            yield _not_so(Two(self._tokens, say(Key.IT), shorter).stands(relation))
 
     def _of_pattern(self, rule: Pattern) -> Iterator[Say]:
         """What belongs where the token was put, if that is one thing."""
-        column = self._destination.column
-        if column <= len(rule.tests):
-            value = Rules(self._tokens).value_of(rule.tests[column - 1])
-            if value is not None:
-                yield say(Key.WRONG_PLACE, token=value, place=Place(self._destination))
+        place = (self._destination.column - 1) % len(rule.tests)
+        value = Rules(self._tokens).value_of(rule.tests[place])
+        if value is not None:
+            yield say(Key.WRONG_PLACE, token=value, place=Place(self._destination))
         yield Rules(self._tokens).says(rule)
 
     def _of_unknown(self, action: Action) -> Iterator[Say]:
@@ -199,33 +196,23 @@ class Reasons:
         match literal:
             case Placed():
                 yield self._of_cells(literal)
-                return
             case Contains(cell, shown):
                 yield say(Key.BELONGS_THERE, token=Named(shown), place=Place(cell))
-                return
             case Related() | Shows():
-                pass
+                yield from self._of_content(literal)
             case _:
                 assert_never(literal)
+
+    def _of_content(self, literal: Related | Shows) -> list[Say]:
+        """What lies on a cell is not as it should be, or nothing lies there."""
         lying = self.judged.before.tokens.get(literal.cell)
         if lying is None:
-            yield say(Key.NOTHING_THERE, place=Place(literal.cell))
-            return
-        there = Named(self.deck.by_id[lying].attributes)
-        place = self._beside(literal.cell, there)
-        match literal:
-            case Shows(_, feature):
-                yield _not_so(self._tokens.has(feature, place))
-            case Related(cell, feature, converse):
-                for subject, other in (
-                    (self._moved, place),
-                    (say(Key.IT), say(Key.WHAT_LIES_THERE, place=Place(cell))),
-                ):
-                    yield _not_so(
-                        Two(self._tokens, subject, other).has(feature, converse=converse)
-                    )
-            case _:
-                assert_never(literal)
+            return [say(Key.NOTHING_THERE, place=Place(literal.cell))]
+        there = self._beside(literal.cell, Named(self.deck.by_id[lying].attributes))
+        if isinstance(literal, Shows):
+            return [_not_so(self._tokens.has(literal.feature, there))]
+        both = [Two(self._tokens, subject, there) for subject in (self._moved, say(Key.IT))]
+        return [_not_so(two.has(literal.feature, converse=literal.converse)) for two in both]
 
     def _beside(self, cell: Cell, there: Named) -> Say:
         """A token on `cell`, seen from where the moved one goes."""

@@ -74,11 +74,14 @@ class Speaker:
         text = self.spoken(phrase).text
         return text[:1].upper() + text[1:]
 
-    def spoken(self, phrase: Phrase) -> Spoken:  # noqa: C901, PLR0911, PLR0912 - one case for each kind of phrase
+    def spoken(self, phrase: Phrase) -> Spoken:  # noqa: C901, PLR0912 - one case for each kind of phrase
         """The phrase in words, with what others agree with."""
         match phrase:
             case Say(key, parts):
-                return Spoken(self._fill(self.words.sentences[key], self._parts(parts)))
+                spoken = self._parts(parts)
+                text = self._fill(self.words.sentences[key], spoken)
+                # What is said of "46 on its left" agrees with 46, of "the last" with a token.
+                return Spoken(text, gender=spoken.get("token", self.grammar.token).gender)
             case Does():
                 return self._does(phrase)
             case Several():

@@ -95,5 +95,5 @@ def _fill_piece(piece: Piece, phrases: Mapping[str, Spoken], derive: Derive) -> 
             spoken = phrases[name]
             second = spoken.gender is Gender.FEMININE if by_gender else spoken.many
             return forms[second]
-        case str():
+        case _:
             return piece

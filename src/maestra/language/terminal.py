@@ -71,7 +71,7 @@ class TerminalKey(Enum):
     NO_HINT = "no-hint"
     # any time
     UNKNOWN_COMMAND = "unknown-command"
-    UNKNOWN_TOKEN = "unknown-token"  # noqa: S105 - a token of the board
+    UNKNOWN_TOKEN = "unknown-token"
     NO_SUCH_COLUMN = "no-such-column"
     TAKEN = "taken"
     ALREADY_THERE = "already-there"

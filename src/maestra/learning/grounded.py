@@ -62,7 +62,8 @@ class GroundedLearner:
         self._shown = 0
         self._deck, self._indices = vocabulary.deck, vocabulary.index_of_token
         board = vocabulary.board
-        offsets = vocabulary.offsets if vocabulary.block_size else {}
+        watched = vocabulary.watched if vocabulary.block_size else ()
+        offsets = {cell: vocabulary.offsets[cell] for cell in watched}
         # By row and column, for to hash a cell takes longer than all else that is done with it.
         self._offsets = [
             [offsets.get(Cell(Row(row), Column(column))) for column in range(board.columns + 1)]

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import assert_never
 
+from maestra.core.board import Board
 from maestra.core.state import Move, State
 from maestra.core.tokens import Deck
 from maestra.rules.forms.base import EachSlot, Pairwise
@@ -29,12 +30,16 @@ def broken_rules(summary: Summary, before: State, deck: Deck, move: Move) -> tup
 
     None, if it does not take a token from storage to the goal row: rules speak of no other.
     """
-    goal = before.board.goal_row
-    if move.origin.row == goal or move.destination.row != goal:
+    if not _is_placing(move, before.board):
         return ()
     play = Play.begin(Setting(deck, before))
     token, cell = play.setting.number_of[move.token], move.destination.column - 1
     return tuple(rule for rule in summary.rules if _breaks(rule, play, token, cell))
+
+
+def _is_placing(move: Move, board: Board) -> bool:
+    """Whether it takes a token from storage to the goal row."""
+    return move.origin.row != board.goal_row and move.destination.row == board.goal_row
 
 
 def _breaks(rule: Rule, play: Play, token: int, cell: int) -> bool:
@@ -70,6 +75,8 @@ def broken_ids(judged: JudgedMove, summary: Summary, deck: Deck) -> tuple[str, .
         case AfterTheEnd() | DeadEnd():
             return (summary.placing_name,)
         case NotShown(action) | BrokenPrecondition(action):
+            if summary.places and not _is_placing(judged.move, summary.board):
+                return (summary.placing_name,)
             rules = broken_rules(summary, judged.before, deck, judged.move)
             names = zip(summary.rules, summary.rule_names, strict=True)
             broken = tuple(name for rule, name in names if rule in rules)

@@ -7,6 +7,7 @@ row is the same every time. Order is taken strictly; "not smaller than" has no l
 
 from __future__ import annotations
 
+import functools
 from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import cached_property
@@ -49,6 +50,14 @@ class Chosen:
 
 
 @dataclass(frozen=True)
+class GivenRow:
+    """A row that is always the same, and for each of its cells the tokens that may lie there."""
+
+    rule: Pattern
+    masks: tuple[Mask, ...]
+
+
+@dataclass(frozen=True)
 class Candidates:
     """Finds the rules that every play keeps; `evidence` places tokens from storage only."""
 
@@ -74,6 +83,8 @@ class Candidates:
         for filling in _PREFERRED:
             order = FillOrder(filling)
             levels = _levels(order, self.evidence.vocabulary.board.columns)
+            if len(levels) == 1:
+                continue  # that is any order
             steps = [set(level) for level in levels for _ in level]
             if all(cells <= level for cells, level in zip(self._columns_at, steps, strict=False)):
                 return order
@@ -116,7 +127,7 @@ class Candidates:
     @cached_property
     def same_column(self) -> bool:
         """Whether every token stays in its column."""
-        return all(column == to for _, column, to in self._origins)
+        return bool(self._origins) and all(column == to for _, column, to in self._origins)
 
     def sources(self) -> Iterator[Rule]:
         """Where tokens come from."""
@@ -132,6 +143,8 @@ class Candidates:
         for tokens in self.evidence.tokens.values():
             used |= tokens
         everything = sum(self.evidence.of_shown)
+        if not used:
+            return []
         positive: list[Chosen] = []
         negative: list[Chosen] = []
         for feature in self._token_features():
@@ -246,48 +259,37 @@ class Candidates:
         ]
         return tuple(masks[shown] for shown in evidence.shown_of)
 
-    def given_row(self) -> Pattern | None:
-        """The row that every play makes, if it is always the same."""
+    def given_row(self) -> GivenRow | None:
+        """The row that every play makes, if it is always the same and can be told by features."""
         on_cell: dict[Index, set[int]] = {}
-        everything = self.evidence.vocabulary.shown
-        for step, by_shown in self.evidence.routes.items():
-            if step > max(self.lengths):
-                continue
+        for by_shown in self.evidence.routes.values():
             for shown, routes in by_shown.items():
                 for _, end in routes:
                     on_cell.setdefault(end.column - 1, set()).add(shown)
         filled = sorted(on_cell)
-        if filled != list(range(len(filled))) or any(len(on_cell[cell]) > 1 for cell in filled):
+        if not filled or filled != list(range(len(filled))):
             return None
-        return Pattern(tuple(self._just(everything[min(on_cell[cell])]) for cell in filled))
+        if any(len(on_cell[cell]) > 1 for cell in filled):
+            return None
+        row = [min(on_cell[cell]) for cell in filled]
+        if any(row.count(shown) > self.evidence.of_shown[shown].bit_count() for shown in row):
+            return None
+        tests = [self._just(self.evidence.vocabulary.shown[shown]) for shown in row]
+        known = tuple(test for test in tests if test is not None)
+        if len(known) < len(tests):
+            return None
+        return GivenRow(Pattern(known), tuple(self.evidence.of_shown[shown] for shown in row))
 
-    def passing(self, test: TokenTest) -> Mask:
-        """The tokens that pass a test for what they show, as `given_row` makes them."""
-        match test:
-            case Both(first, second):
-                return self.passing(first) & self.passing(second)
-            case Has(feature):
-                return sum(
-                    mask
-                    for mask, shown in zip(
-                        self.evidence.of_shown, self.evidence.vocabulary.shown, strict=True
-                    )
-                    if token_feature_holds(feature, shown)
-                )
-            case _:
-                raise TypeError(test)
-
-    def _just(self, shown: Attributes) -> TokenTest:
+    def _just(self, shown: Attributes) -> TokenTest | None:
         """The test that only tokens showing this pass: by one attribute, if that is enough."""
         everything = self.evidence.vocabulary.shown
+        if sum(set(shown) <= set(other) for other in everything) > 1:
+            return None
         alone = [pair for pair in shown if sum(pair in other for other in everything) == 1]
-        first, *others = [
+        tests: list[TokenTest] = [
             Has(TokenFeature(f"is-{value}", name)) for name, value in (alone[:1] or shown)
         ]
-        test: TokenTest = first
-        for other in others:
-            test = Both(test, other)
-        return test
+        return functools.reduce(Both, tests) if tests else None
 
 
 def _levels(order: FillOrder, length: int) -> tuple[tuple[Index, ...], ...]:

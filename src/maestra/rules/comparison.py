@@ -7,8 +7,8 @@ from functools import cached_property
 
 from maestra.core.board import Cell
 from maestra.rules.evidence import Bits, Evidence
-from maestra.rules.outline import Outline, Rows
-from maestra.rules.right_rows import TooManyRowsError
+from maestra.rules.outline import Outline, RightMove, Rows
+from maestra.rules.right_rows import UndecidedError
 from maestra.rules.setting import Index, Mask, bits
 
 
@@ -32,25 +32,16 @@ def compare(evidence: Evidence, outline: Outline) -> Wider:
     Every play that the preconditions accept must be right by the rules.
 
     Raises:
-        TooManyRowsError: it cannot be found out.
+        UndecidedError: it cannot be found out.
     """
     wider = Wider()
     for length in sorted(outline.lengths - {0}):
         comparison = _Comparison(evidence, outline, length, outline.rows(length), wider)
         for step in range(1, length + 1):
             for cell in outline.cells_at(step):
-                for token in bits(comparison.rows.possible(cell)):
-                    comparison.add(_RightMove(step, cell, token))
+                for token in bits(comparison.rows.possible(step, cell)):
+                    comparison.add(RightMove(step, cell, token))
     return wider
-
-
-@dataclass(frozen=True, slots=True)
-class _RightMove:
-    """A move of some right play."""
-
-    step: int
-    cell: Index
-    token: Index
 
 
 @dataclass
@@ -63,7 +54,7 @@ class _Comparison:
     rows: Rows
     wider: Wider
 
-    def add(self, move: _RightMove) -> None:
+    def add(self, move: RightMove) -> None:
         """Compare all right plays with this move in them, before it."""
         evidence = self.evidence
         shown = evidence.shown_of[move.token]
@@ -101,19 +92,19 @@ class _Comparison:
             self._known_placed[cell] = held
         return self._known_placed[cell]
 
-    def _false_on(self, move: _RightMove, cell: Cell, demand: Bits) -> Bits:
+    def _false_on(self, move: RightMove, cell: Cell, demand: Bits) -> Bits:
         """Those literals of `demand` about `cell` that some right play makes false."""
         if cell.row == self.evidence.vocabulary.board.goal_row:
             return self._false_in_row(move, cell.column - 1, demand)
         return self._false_in_storage(move, cell, demand)
 
-    def _false_in_row(self, move: _RightMove, cell: Index, demand: Bits) -> Bits:
+    def _false_in_row(self, move: RightMove, cell: Index, demand: Bits) -> Bits:
         filled = self.outline.filled_before(move.step, move.cell, cell)
         if not filled:
             return demand
-        return self._false_of(move, self.rows.together(move.cell, move.token, cell), demand)
+        return self._false_of(move, self.rows.together(move, cell, earlier=True), demand)
 
-    def _false_of(self, move: _RightMove, lying: Mask, demand: Bits) -> Bits:
+    def _false_of(self, move: RightMove, lying: Mask, demand: Bits) -> Bits:
         """Those literals that are false of one of the tokens that may lie there."""
         shown = self.evidence.shown_of[move.token]
         key = (shown, lying)
@@ -130,11 +121,11 @@ class _Comparison:
     def _known_patterns(self) -> dict[tuple[int, Mask], Bits]:
         return {}
 
-    def _false_in_storage(self, move: _RightMove, cell: Cell, demand: Bits) -> Bits:
+    def _false_in_storage(self, move: RightMove, cell: Cell, demand: Bits) -> Bits:
         """As `_false_on`, of a storage cell, where the start arrangement decides.
 
         Raises:
-            TooManyRowsError: the board is so full that the arrangement is not free.
+            UndecidedError: the board is so full that the arrangement is not free.
         """
         users = self._sure_users.get(cell)
         if users is not None:
@@ -142,9 +133,9 @@ class _Comparison:
         vocabulary = self.evidence.vocabulary
         if len(vocabulary.deck.tokens) < len(vocabulary.board.storage_cells):
             return demand
-        raise TooManyRowsError
+        raise UndecidedError
 
-    def _false_of_users(self, move: _RightMove, users: tuple[Index, ...], demand: Bits) -> Bits:
+    def _false_of_users(self, move: RightMove, users: tuple[Index, ...], demand: Bits) -> Bits:
         """As `_false_on`, of a storage cell from which the token of a user surely comes."""
         lying = 0
         for user in users:
@@ -153,7 +144,7 @@ class _Comparison:
             elif self.outline.filled_before(move.step, move.cell, user) is not False:
                 return demand
             else:
-                lying |= self.rows.together(move.cell, move.token, user)
+                lying |= self.rows.together(move, user, earlier=False)
         return self._false_of(move, lying, demand)
 
     @cached_property

@@ -16,7 +16,7 @@ from __future__ import annotations
 from collections.abc import Hashable, Iterator, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property
-from typing import Final, TypeAlias
+from typing import Final, TypeAlias, assert_never
 
 from maestra.rules.domains import Domains, View, can_match, view_of
 from maestra.rules.forms.base import EachSlot, Pairwise
@@ -101,9 +101,9 @@ class Conjunction:
             return DeadEnd()
         try:
             try:
-                found = _Search(self, QUICK_CHOICES, careful=False).complete(play)
+                found = Search(self, QUICK_CHOICES, careful=False).complete(play)
             except _LostError:
-                found = _Search(self, self.careful_choices, careful=True).complete(play)
+                found = Search(self, self.careful_choices, careful=True).complete(play)
         except _LostError:
             return Undecided(self.careful_choices)
         return DeadEnd() if found is None else Completable(found)
@@ -113,13 +113,16 @@ class Conjunction:
         after = play.after(token, cell)
         if broken := broken_rules(self.rules, after):
             return MoveRefused(broken)
-        match self.outlook(after):
+        outlook = self.outlook(after)
+        match outlook:
             case Completable():
                 return MoveAllowed()
             case DeadEnd():
                 return MoveRefused(())
             case Undecided():
                 return MoveUndecided()
+            case _:
+                assert_never(outlook)
 
     def allowed_moves(self, play: Play) -> tuple[tuple[Index, Index], ...]:
         """Every token and goal cell that `judge` allows now, by cell and token.
@@ -219,7 +222,7 @@ class Conjunction:
 
 
 @dataclass(slots=True)
-class _Search:
+class Search:
     """One search; counts its choices and remembers what it refuted."""
 
     all: Conjunction

@@ -96,11 +96,11 @@ def view_of(
     links: list[list[tuple[Index, Related]]] = [[] for _ in allowed]
     essential: list[list[tuple[Index, Related]]] = [[] for _ in allowed]
     for rule in rules:
-        if isinstance(rule, EachSlot) and rule.line in places:
-            for slot, mask in zip(places[rule.line], rule.allowed(setting), strict=False):
+        if isinstance(rule, EachSlot) and rule.along() in places:
+            for slot, mask in zip(places[rule.along()], rule.allowed(setting), strict=False):
                 allowed[slot] &= mask
-        if isinstance(rule, Pairwise) and rule.line in places:
-            place = places[rule.line]
+        if isinstance(rule, Pairwise) and rule.along() in places:
+            place = places[rule.along()]
             for i, j, masks in rule.links(setting):
                 if j < len(place):
                     there, back = (place[j], masks), (place[i], converse(setting, masks))

@@ -70,10 +70,8 @@ class Evidence:
 
     def demanded(self, precondition: Bits, cell: Cell) -> Bits:
         """The literals about what lies on `cell`, as `Vocabulary.patterns` counts them."""
-        offset = self.vocabulary.offsets.get(cell)
-        if offset is None:
-            return 0
-        return precondition >> offset & ((1 << self.vocabulary.block_size) - 1)
+        block = (1 << self.vocabulary.block_size) - 1
+        return precondition >> self.vocabulary.offsets[cell] & block
 
     @cached_property
     def tokens(self) -> Mapping[int, Mask]:

@@ -45,8 +45,6 @@ def _plain(value: Value) -> int | float | str:
 
 def _feature(value: object) -> TokenFeature:
     """A feature that exists, from its name and its attribute."""
-    if isinstance(value, TokenFeature):
-        return value
     written = cast("dict[object, object]", value) if isinstance(value, dict) else {}
     name, attribute = written.get("name"), written.get("attribute")
     if set(written) != {"name", "attribute"} or not (

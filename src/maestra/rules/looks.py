@@ -78,7 +78,7 @@ def lines_of(rule: Rule) -> frozenset[Line]:
             assert_never(rule)
 
 
-def sights_of(rule: Rule) -> tuple[Sight, ...]:  # noqa: C901, PLR0911 - one for each family
+def sights_of(rule: Rule) -> tuple[Sight, ...]:  # noqa: C901 - one for each family
     """The attributes and tests by which `rule` tells tokens apart."""
     match rule:
         case EveryToken(test) | AllOfThem(test) | Count(test) | At(_, test):

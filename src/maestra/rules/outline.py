@@ -11,7 +11,7 @@ from dataclasses import dataclass
 from functools import cached_property
 
 from maestra.core.board import Board, Cell
-from maestra.rules.right_rows import RightRows, TooManyRowsError
+from maestra.rules.right_rows import RightRows, UndecidedError
 from maestra.rules.setting import Index, Mask
 
 
@@ -74,36 +74,57 @@ class Outline:
         """The rows with `length` tokens.
 
         Raises:
-            TooManyRowsError: what may come depends on the step, and the step not on the cell.
+            UndecidedError: which goal cells are left empty decides which tokens may come.
         """
-        last = self.level_of[length - 1]
-        cells = tuple(sorted(cell for level in self.levels[: last + 1] for cell in level))
-        domains = [self.domains[cell] for cell in cells]
         if self.by_step is not None:
-            for step in range(1, length + 1):
-                (cell, *others) = self.cells_at(step)
-                if others:
-                    raise TooManyRowsError
-                domains[cells.index(cell)] &= self.by_step[step]
-        partial = len(cells) > length
-        if partial and len(set(domains)) > 1:
-            raise TooManyRowsError
-        counted = tuple(domains[:length]) if partial else tuple(domains)
-        places = {cell: place % len(counted) for place, cell in enumerate(cells)}
-        return Rows(RightRows(counted, self.before), places)
+            domains = [self.by_step[step] for step in range(1, length + 1)]
+            return Rows(self, RightRows(tuple(domains)), {})
+        last = self.level_of[length - 1]
+        cells = sorted(cell for level in self.levels[: last + 1] for cell in level)
+        domains = [self.domains[cell] for cell in cells]
+        if len(cells) > length:
+            if len(set(domains)) > 1:
+                raise UndecidedError
+            domains = domains[:length]
+        places = {cell: place % length for place, cell in enumerate(cells)}
+        return Rows(self, RightRows(tuple(domains), self.before), places)
 
 
 @dataclass(frozen=True)
 class Rows:
-    """Rows by goal cell."""
+    """What lies where in right rows: each place of `right` a goal cell, or else a step."""
 
+    outline: Outline
     right: RightRows
     places: Mapping[Index, Index]
+    """For each goal cell its place; empty if the places are steps."""
 
-    def possible(self, cell: Index) -> Mask:
-        """The tokens that lie on `cell` in some row."""
-        return self.right.possible(self.places[cell])
+    def possible(self, step: int, cell: Index) -> Mask:
+        """The tokens that some right play places on `cell` at `step`."""
+        return self.right.possible(self.places[cell] if self.places else step - 1)
 
-    def together(self, cell: Index, token: Index, other: Index) -> Mask:
-        """The tokens that lie on `other` in some row with `token` on `cell`."""
-        return self.right.together(self.places[cell], token, self.places[other])
+    def together(self, move: RightMove, other: Index, *, earlier: bool) -> Mask:
+        """The tokens that lie on `other` in the end of some right play with `move` in it.
+
+        `earlier`: those that were placed there before the move; else those placed after it.
+        """
+        if self.places:
+            places = self.places
+            return self.right.together(places[move.cell], move.token, places[other])
+        level = next(k for k, cells in enumerate(self.outline.levels) if other in cells)
+        tokens = 0
+        for step, other_level in enumerate(self.outline.level_of[: len(self.right.domains)], 1):
+            if other_level == level and step != move.step and (step < move.step) == earlier:
+                tokens |= self.right.together(move.step - 1, move.token, step - 1)
+        return tokens
+
+
+@dataclass(frozen=True, slots=True)
+class RightMove:
+    """A move of some right play."""
+
+    step: int
+    """From 1."""
+    cell: Index
+    """The goal cell it fills."""
+    token: Index

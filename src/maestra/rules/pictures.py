@@ -176,7 +176,7 @@ class _Artist:
 
     setting: Setting
 
-    def draw(self, rule: Rule) -> Iterable[Stroke]:  # noqa: C901, PLR0911, PLR0912 - one case for each form
+    def draw(self, rule: Rule) -> Iterable[Stroke]:  # noqa: C901, PLR0912 - one case for each form
         match rule:
             case EveryToken(test):
                 return [Selection(self.stored(test))]
@@ -202,7 +202,7 @@ class _Artist:
                 return [self.relate(self.lies(cue or 0), self.goal(k), relation) for k in cells]
             case EachPair(_, relation) | TwoPlaces(_, _, relation):
                 return [
-                    self.relate(self.place(rule.line, i), self.place(rule.line, j), relation)
+                    self.relate(self.place(rule.along(), i), self.place(rule.along(), j), relation)
                     for i, j, _ in rule.links(self.setting)
                 ]
             case Ordered() | CyclicOrdered() | RiseAndFall() | Zigzag() | EqualSteps():

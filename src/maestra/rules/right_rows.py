@@ -20,8 +20,8 @@ MAX_WORK: Final = 1_000_000
 """Places filled and pairs noted by the search before it gives up: some tenths of a second."""
 
 
-class TooManyRowsError(Exception):
-    """The rows cannot be told apart by reachability, and there are too many to list."""
+class UndecidedError(Exception):
+    """Reachability does not tell, and there is too much to list."""
 
 
 @dataclass(frozen=True)
@@ -37,7 +37,7 @@ class RightRows:
         """The tokens that lie on `place` in some row.
 
         Raises:
-            TooManyRowsError: cannot be found out.
+            UndecidedError: cannot be found out.
         """
         if self.before is None and self._uniform:
             return self.domains[0] if self._room else 0
@@ -49,7 +49,7 @@ class RightRows:
         """The tokens that lie on `other` in some row with `token` on `place`.
 
         Raises:
-            TooManyRowsError: cannot be found out.
+            UndecidedError: cannot be found out.
         """
         if not self.possible(place) >> token & 1:
             return 0
@@ -153,7 +153,7 @@ class RightRows:
         """Every row.
 
         Raises:
-            TooManyRowsError: it would take more than `MAX_WORK`.
+            UndecidedError: it would take more than `MAX_WORK`.
         """
         work = 0
         stack: list[tuple[Index, ...]] = [()]
@@ -161,7 +161,7 @@ class RightRows:
             row = stack.pop()
             work += len(row) ** 2 if len(row) == len(self.domains) else 1
             if work > MAX_WORK:
-                raise TooManyRowsError
+                raise UndecidedError
             if len(row) == len(self.domains):
                 yield row
                 continue

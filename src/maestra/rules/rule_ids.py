@@ -39,7 +39,7 @@ def number_equal_ones(names: Sequence[str]) -> tuple[str, ...]:
     return tuple(unique)
 
 
-def _rule_id(rule: Rule) -> str:  # noqa: PLR0911 - one for each form with a name
+def _rule_id(rule: Rule) -> str:
     """A short name for the rules most met, else one made of all that the rule says."""
     match rule:
         case FillOrder(filling):
@@ -66,19 +66,15 @@ def _rule_id(rule: Rule) -> str:  # noqa: PLR0911 - one for each form with a nam
 
 
 def _leaves(written: object) -> Iterator[str]:
-    """All that a rule's JSON says, its form first; names of fields add nothing."""
+    """All that a rule's JSON says, its form first; names of fields and "no" add nothing."""
     if isinstance(written, dict):
         fields = cast("dict[str, object]", written)
-        yield from _leaves([fields[name] for name in sorted(fields, key=_form_first)])
+        yield from _leaves([fields[name] for name in sorted(fields, key="form".__ne__)])
     elif isinstance(written, list):
         for each in cast("list[object]", written):
             yield from _leaves(each)
     else:
-        yield str(written)
-
-
-def _form_first(name: str) -> tuple[bool, str]:
-    return name != "form", name
+        yield "" if written is None or written is False else str(written)
 
 
 def _kebab(*words: str) -> str:

@@ -13,7 +13,7 @@ from enum import Enum
 from fractions import Fraction
 from functools import cached_property
 from types import MappingProxyType
-from typing import Final, TypeAlias, TypeVar, cast
+from typing import Final, TypeAlias, TypeVar, assert_never, cast
 
 from maestra.core.demonstration import Demonstration
 from maestra.core.faults import Fault, InvalidError
@@ -138,6 +138,8 @@ class Setting:
                 if self.deck.scales.get(attribute, Scale.NOMINAL) is Scale.NOMINAL:
                     return None
                 return int(self.deck.rank(attribute, value))
+            case _:
+                assert_never(value)
 
     def mask(self, passes: Callable[[Index], bool]) -> Mask:
         """The set of the tokens that pass."""

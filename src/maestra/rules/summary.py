@@ -21,16 +21,15 @@ from typing import TypeAlias
 
 from maestra.core.board import Board, Cell
 from maestra.core.tokens import Attributes, Deck
-from maestra.rules.candidates import Candidates, Chosen
+from maestra.rules.candidates import Candidates, Chosen, GivenRow
 from maestra.rules.comparison import Wider, compare
 from maestra.rules.evidence import Bits, Evidence
 from maestra.rules.exercise import GroundedExercise
 from maestra.rules.forms.length import FullRow
-from maestra.rules.forms.patterns import Pattern
 from maestra.rules.forms.timing import FillOrder
 from maestra.rules.literals import Literal
 from maestra.rules.outline import Outline
-from maestra.rules.right_rows import TooManyRowsError
+from maestra.rules.right_rows import UndecidedError
 from maestra.rules.rule import Rule
 from maestra.rules.rule_ids import number_equal_ones, rule_ids
 from maestra.rules.setting import Mask
@@ -143,7 +142,7 @@ class _Draft:
 
     evidence: Evidence
     candidates: Candidates
-    given: Pattern | None = None
+    given: GivenRow | None = None
     placing: bool = True
     """Whether the exercise only places tokens; rules speak of no other."""
 
@@ -198,7 +197,7 @@ class _Draft:
             yield FullRow()
         yield from self.sources
         if self.given is not None:
-            yield self.given
+            yield self.given.rule
         yield from (chosen.rule for chosen in (*self.selections, *self.neighbours))
 
     @cached_property
@@ -245,8 +244,8 @@ class _Draft:
             domain &= chosen.mask
         if self.given is None:
             return (domain,) * columns
-        passing = tuple(self.candidates.passing(test) for test in self.given.tests)
-        return (*passing, *(domain,) * (columns - len(passing)))
+        masks = self.given.masks
+        return (*masks, *(domain,) * (columns - len(masks)))
 
     def _before(self) -> tuple[Mask, ...] | None:
         related = [chosen.before for chosen in self.neighbours if chosen.before is not None]
@@ -264,7 +263,7 @@ class _Draft:
             return None
         try:
             return compare(self.evidence, self._outline)
-        except TooManyRowsError:
+        except UndecidedError:
             return None
 
     def _check(self) -> Check:

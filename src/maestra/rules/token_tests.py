@@ -149,7 +149,7 @@ def passing(setting: Setting, test: TokenTest) -> Mask:
     return setting.remember(test, lambda: _passing(setting, test))
 
 
-def _passing(setting: Setting, test: TokenTest) -> Mask:  # noqa: PLR0911 - one for each test
+def _passing(setting: Setting, test: TokenTest) -> Mask:
     match test:
         case Anything():
             return (1 << len(setting.deck.tokens)) - 1

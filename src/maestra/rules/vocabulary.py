@@ -10,11 +10,13 @@ each pair of tokens, as a pattern to be shifted.
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
+from decimal import Decimal
 from enum import Enum
 from functools import cached_property
 from typing import TYPE_CHECKING
 
 from maestra.core.faults import Fault, refuse
+from maestra.core.tokens import Scale
 from maestra.rules.features import (
     CellFeature,
     PairFeature,
@@ -30,6 +32,7 @@ if TYPE_CHECKING:
     from maestra.core.board import Board, Cell
     from maestra.core.tokens import Attributes, Deck, TokenId
     from maestra.rules.features import Feature
+    from maestra.rules.registry import CellValue
 
     Bits = int
 
@@ -59,8 +62,21 @@ class Vocabulary:
 
     @cached_property
     def shown(self) -> tuple[Attributes, ...]:
-        """The different things that tokens of the deck show; elsewhere an index into this."""
-        return tuple(dict.fromkeys(token.attributes for token in self.deck.tokens))
+        """The different things that tokens of the deck show; elsewhere an index into this.
+
+        In the order of their values, so that people find 19 before 23 wherever it is listed.
+        """
+        different = {token.attributes for token in self.deck.tokens}
+        return tuple(sorted(different, key=self._in_order))
+
+    def _in_order(self, shown: Attributes) -> list[tuple[str, bool, Decimal, str]]:
+        ordered = [name for name, scale in self.deck.scales.items() if scale is not Scale.NOMINAL]
+        return [
+            (name, False, Decimal(self.deck.rank(name, value)), "")
+            if name in ordered
+            else (name, True, Decimal(0), str(value))
+            for name, value in shown
+        ]
 
     @cached_property
     def index_of_shown(self) -> Mapping[Attributes, int]:
@@ -244,9 +260,19 @@ class Vocabulary:
         return {}
 
     def _work_out_placed(self, origin: Cell, destination: Cell) -> Bits:
-        places = self._placed_places
-        found = (Placed(f, f.of(self.board, origin, destination)) for f in self.cell_features)
-        return sum(1 << places[literal] for literal in found if literal in places)
+        board = self.board
+        return sum(
+            bits.get(feature.of(board, origin, destination), 0)
+            for feature, bits in self._placed_bits.items()
+        )
+
+    @cached_property
+    def _placed_bits(self) -> Mapping[CellFeature, Mapping[CellValue, Bits]]:
+        """For each feature of the move's cells, the bit of each of its values."""
+        bits: dict[CellFeature, dict[CellValue, Bits]] = {}
+        for place, literal in enumerate(self._placed):
+            bits.setdefault(literal.feature, {})[literal.value] = 1 << place
+        return bits
 
     @cached_property
     def _block(self) -> tuple[Related | Shows | Contains, ...]:

@@ -167,11 +167,10 @@ def _with_article(noun: str, gender: Gender) -> str:
 
 def _of(text: str) -> str:
     """``de`` before it: ``del 34``, ``de l'11``, ``d'aquesta``."""
-    return (
-        f"d'{text}"
-        if _VOWEL.match(text) and not text.startswith("el ")
-        else (_contracted("de", text))
-    )
+    contracted = any(text.startswith(article) for article, _ in _CONTRACTIONS)
+    if _VOWEL.match(text) and not contracted:
+        return f"d'{text}"
+    return _contracted("de", text)
 
 
 def _contracted(preposition: str, text: str) -> str:

@@ -15,7 +15,7 @@ SENTENCES: Final[Mapping[str, str]] = MappingProxyType(
         "before": "abans",
         "after": "després",
         "times-shown": "Vegades mostrada: {seen}.",
-        "of-cells": "Sobre les dues caselles d’un moviment:",
+        "of-cells": "Sobre les dues caselles d'un moviment:",
         "of-tokens": "Sobre una fitxa:",
         "of-pairs": "Sobre dues fitxes:",
         "relation": "la primera és {name} de la segona, tal com ho declaren les demostracions",
@@ -26,10 +26,10 @@ SENTENCES: Final[Mapping[str, str]] = MappingProxyType(
         "descending": "Nombres, de gran a petit",
         "first-row": "La primera fila de reserva, en línia recta cap amunt",
         "curie": "La paraula CURIE",
-        "letters": "Lletres en l’ordre de l’alfabet",
+        "letters": "Lletres en l'ordre de l'alfabet",
         "own-numbers": "El vostre propi exercici, amb nombres",
         "own-letters": "El vostre propi exercici, amb lletres",
-        "please-choose": "Escriviu un nombre de l’1 al {last}, si us plau.",
+        "please-choose": "Escriviu un nombre de l'1 al {last}, si us plau.",
         "teach": "Mostreu-me com es fa. {title}.",
         "how-to-move": "Escriviu una fitxa i una columna, per exemple: {token} 1",
         "how-to-show": "O deixeu que jo mostri una jugada correcta: {show}",
@@ -41,27 +41,27 @@ SENTENCES: Final[Mapping[str, str]] = MappingProxyType(
         "nothing-shown": "Mostreu-me abans almenys una jugada, si us plau.",
         "nothing-moved": "Moveu abans una fitxa, si us plau.",
         "nothing-to-undo": "No hi ha res per desfer.",
-        "cannot-show": "Aquest exercici només el coneixeu vós. Mostreu-me’l, si us plau.",
+        "cannot-show": "Aquest exercici només el coneixeu vós. Mostreu-me'l, si us plau.",
         "next-step": "Mostreu una altra jugada, o proveu-ho: {play}",
         "your-turn": "És el vostre torn. Diré de cada moviment si és correcte.",
         "right": "Sí.",
         "put-back": "Tornem {token} al seu lloc i provem amb una altra fitxa.",
-        "complete": "Molt bé, l’exercici és complet.",
+        "complete": "Molt bé, l'exercici és complet.",
         "not-yet": "Encara queda alguna cosa per moure.",
         "hint": "Podríeu moure {token} a la columna {column}.",
-        "no-hint": "Aquí no conec cap moviment correcte. Ensenyeu-me’n més, si us plau: {teach}",
+        "no-hint": "Aquí no conec cap moviment correcte. Ensenyeu-me'n més, si us plau: {teach}",
         "unknown-command": "Això no ho conec. Escriviu {help} per veure què podeu fer.",
         "unknown-token": "No hi ha cap fitxa {token}.",
-        "no-such-column": "Les columnes van de l’1 al {last}.",
+        "no-such-column": "Les columnes van de l'1 al {last}.",
         "taken": "Ja hi ha una fitxa a la columna {column}.",
         "already-there": "{token} ja és a la fila de destí.",
         "row-is-full": "La fila de destí és plena.",
         "help-teaching": "{token} 1  mou {token} a la columna 1 de la fila de destí\n"
         "{token}    la mou a la primera columna buida\n"
-        "{undo}  desfà l’últim moviment\n"
+        "{undo}  desfà l'últim moviment\n"
         "{done}  acaba aquesta demostració\n"
         "{show}  jo mostro una jugada correcta; amb un nombre, tantes\n"
-        "{play}  provar l’exercici\n"
+        "{play}  provar l'exercici\n"
         "{menu}  triar un altre exercici\n"
         "{quit}  acabar la sessió",
         "help-playing": "{token} 1  mou {token} a la columna 1 de la fila de destí\n"
@@ -71,7 +71,7 @@ SENTENCES: Final[Mapping[str, str]] = MappingProxyType(
         "{play}  tornar a començar\n"
         "{menu}  triar un altre exercici\n"
         "{quit}  acabar la sessió",
-        "help-choosing": "Escriviu el nombre d’un exercici, o {quit} per acabar la sessió.",
+        "help-choosing": "Escriviu el nombre d'un exercici, o {quit} per acabar la sessió.",
         "goodbye": "A reveure.",
         "goal": "destí",
         "type-undo": "desfés",
@@ -89,13 +89,13 @@ SENTENCES: Final[Mapping[str, str]] = MappingProxyType(
 FEATURES: Final[Mapping[str, str]] = MappingProxyType(
     {
         "cells": "només origen i destinació, res de les fitxes",
-        "origin": "la casella d’on ve la fitxa",
+        "origin": "la casella d'on ve la fitxa",
         "destination": "la casella on va",
-        "origin-row": "la fila d’on ve",
-        "origin-column": "la columna d’on ve",
+        "origin-row": "la fila d'on ve",
+        "origin-column": "la columna d'on ve",
         "destination-column": "la columna on va",
         "same-column": "no canvia de columna",
-        "from-storage": "ve d’una fila de reserva (sempre compta)",
+        "from-storage": "ve d'una fila de reserva (sempre compta)",
         "to-goal-row": "va a la fila de destí (sempre compta)",
         "odd": "és senar",
         "even": "és parell",
@@ -108,13 +108,13 @@ FEATURES: Final[Mapping[str, str]] = MappingProxyType(
         "below-K": "és més petit que K, per exemple below-30",
         "is-K": "és justament K, per exemple is-red",
         "less-than": "la primera és més petita que la segona",
-        "greater-than": "el mateix que less-than, vist des de l’altra",
-        "before": "la primera va abans que la segona a l’alfabet o en l’ordre declarat",
-        "after": "el mateix que before, vist des de l’altra",
+        "greater-than": "el mateix que less-than, vist des de l'altra",
+        "before": "la primera va abans que la segona a l'alfabet o en l'ordre declarat",
+        "after": "el mateix que before, vist des de l'altra",
         "successor": "la segona és la que segueix immediatament la primera",
-        "predecessor": "el mateix que successor, vist des de l’altra",
+        "predecessor": "el mateix que successor, vist des de l'altra",
         "twice": "la segona és el doble de la primera",
-        "half": "el mateix que twice, vist des de l’altra",
+        "half": "el mateix que twice, vist des de l'altra",
         "same": "totes dues mostren el mateix",
         "different": "mostren coses diferents",
     }

@@ -51,6 +51,7 @@ _SOUNDS_I: Final = re.compile(r"[«“\"']?h?[ií](?![aeou])", re.IGNORECASE)
 """Before this sound "y" becomes "e"; not before a diphthong, as in "hielo"."""
 _SOUNDS_O: Final = re.compile(r"[«“\"']?(h?[oó]|8|11(?:\D|$)|11\.?\d{3}(?:\D|$))", re.IGNORECASE)
 """Before this sound "o" becomes "u": ocho, once, ochenta, once mil."""
+_BETWEEN: Final = {Joint.COMMA: ", ", Joint.PLUS: " más ", Joint.TIMES: " por "}
 _ARTICLES: Final = {
     (Gender.MASCULINE, False): "el",
     (Gender.FEMININE, False): "la",
@@ -66,17 +67,11 @@ class Spanish:
 
     def join(self, items: Sequence[str], joint: Joint) -> str:
         """``el 19, el 23 o el 32``."""
-        match joint:
-            case Joint.AND:
-                return _listed(items, "e" if _SOUNDS_I.match(items[-1]) else "y")
-            case Joint.OR:
-                return _listed(items, "u" if _SOUNDS_O.match(items[-1]) else "o")
-            case Joint.COMMA:
-                return ", ".join(items)
-            case Joint.PLUS:
-                return " más ".join(items)
-            case Joint.TIMES:
-                return " por ".join(items)
+        if joint is Joint.AND:
+            return _listed(items, "e" if _SOUNDS_I.match(items[-1]) else "y")
+        if joint is Joint.OR:
+            return _listed(items, "u" if _SOUNDS_O.match(items[-1]) else "o")
+        return _BETWEEN[joint].join(items)
 
     def derive(self, spoken: Spoken, form: str) -> str:
         """The forms are `of`, `to`, `the`, `bare` and those the phrase brings."""

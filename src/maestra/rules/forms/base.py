@@ -85,10 +85,9 @@ class EachSlot(Form):
 
     __slots__ = ()
 
-    @property
-    @abstractmethod
-    def line(self) -> Line:
-        """What it looks along."""
+    def along(self) -> Line:
+        """The line it looks at; the row, unless a form says otherwise."""
+        return Line.ROW
 
     @abstractmethod
     def allowed(self, setting: Setting) -> tuple[Mask, ...]:
@@ -97,7 +96,7 @@ class EachSlot(Form):
     def holds(self, play: Play) -> bool:
         """As the class says."""
         masks = self.allowed(play.setting)
-        slots = play.slots(self.line)
+        slots = play.slots(self.along())
         return all(t is None or mask >> t & 1 for t, mask in zip(slots, masks, strict=False))
 
     def possible(self, play: Play) -> bool:
@@ -108,14 +107,14 @@ class EachSlot(Form):
         """Whether no token that is left is wrong in a slot it can come to."""
         if not self.holds(play):
             return False
-        slots = zip(play.slots(self.line), self.allowed(play.setting), strict=False)
+        slots = zip(play.slots(self.along()), self.allowed(play.setting), strict=False)
         return not play.room or all(t is not None or not play.left & ~mask for t, mask in slots)
 
     def mask(self, plays: Plays) -> Truth:
         """As `holds`."""
         setting = plays.setting
         table = np.vstack([as_table(setting, m, nobody=True) for m in self.allowed(setting)])
-        return np.asarray(table[np.arange(setting.length), plays.line(self.line)].all(axis=1))
+        return np.asarray(table[np.arange(setting.length), plays.line(self.along())].all(axis=1))
 
 
 Link: TypeAlias = tuple[Index, Index, Related]
@@ -130,10 +129,9 @@ class Pairwise(Form):
 
     __slots__ = ()
 
-    @property
-    @abstractmethod
-    def line(self) -> Line:
-        """What it looks along."""
+    def along(self) -> Line:
+        """The line it looks at; the row, unless a form says otherwise."""
+        return Line.ROW
 
     @abstractmethod
     def links(self, setting: Setting) -> Iterator[Link]:
@@ -141,7 +139,7 @@ class Pairwise(Form):
 
     def holds(self, play: Play) -> bool:
         """As the class says."""
-        slots = play.slots(self.line)
+        slots = play.slots(self.along())
         return all(
             one is None or two is None or masks[one] >> two & 1
             for i, j, masks in self.links(play.setting)
@@ -157,7 +155,7 @@ class Pairwise(Form):
         """Whether no tokens that are left can come to be a wrong pair."""
         if not self.holds(play):
             return False
-        slots = play.slots(self.line)
+        slots = play.slots(self.along())
         return not play.room or not any(
             can_clash(play, slots[i], slots[j], masks)
             for i, j, masks in self.links(play.setting)
@@ -167,7 +165,7 @@ class Pairwise(Form):
     def mask(self, plays: Plays) -> Truth:
         """As `holds`."""
         right = np.ones(len(plays), np.bool_)
-        tokens = plays.line(self.line)
+        tokens = plays.line(self.along())
         for i, j, masks in self.links(plays.setting):
             right &= as_matrix(plays.setting, masks)[tokens[:, i], tokens[:, j]]
         return right

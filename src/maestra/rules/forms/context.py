@@ -9,7 +9,7 @@ from typing import Literal, assert_never
 from maestra.rules.fields import Side
 from maestra.rules.forms.base import EachSlot
 from maestra.rules.pairs import Relation, related
-from maestra.rules.setting import ORIGIN_ROW, Index, Line, Mask, Setting, bits
+from maestra.rules.setting import ORIGIN_ROW, Index, Mask, Setting, bits
 from maestra.rules.token_tests import Anything, has, passing
 
 
@@ -37,11 +37,6 @@ class ModelRow(EachSlot):
     reading: Reading
     relation: Relation
     form: Literal["model-row"] = field(default="model-row", kw_only=True, repr=False)
-
-    @property
-    def line(self) -> Line:
-        """It looks at the row."""
-        return Line.ROW
 
     def models(self, setting: Setting) -> tuple[Index | None, ...]:
         """The model's token for each goal cell."""
@@ -86,11 +81,6 @@ class Cue(EachSlot):
     column: Side
     relation: Relation
     form: Literal["cue"] = field(default="cue", kw_only=True, repr=False)
-
-    @property
-    def line(self) -> Line:
-        """It looks at the row."""
-        return Line.ROW
 
     def cue(self, setting: Setting) -> Index | None:
         """The token that stays."""

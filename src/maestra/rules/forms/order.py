@@ -62,6 +62,10 @@ class Ordered(Pairwise):
     line: Line = Line.ROW
     form: Literal["ordered"] = field(default="ordered", kw_only=True, repr=False)
 
+    def along(self) -> Line:
+        """The line of the rule."""
+        return self.line
+
     def links(self, setting: Setting) -> Iterator[Link]:
         """Every pair."""
         comparison = order_of(self.direction, strict=self.strict)
@@ -313,10 +317,16 @@ class EqualSteps(Form):
         return bool(steps) or not self._can_differ(play, slots)
 
     def _defined(self, setting: Setting) -> Related:
-        return setting.masks(lambda a, b: self.step(setting, a, b) is not None)
+        return setting.remember(
+            (self, "defined"),
+            lambda: setting.masks(lambda a, b: self.step(setting, a, b) is not None),
+        )
 
     def _with(self, setting: Setting, step: Rank | None) -> Related:
-        return setting.masks(lambda a, b: self.step(setting, a, b) == step)
+        return setting.remember(
+            (self, "with", step),
+            lambda: setting.masks(lambda a, b: self.step(setting, a, b) == step),
+        )
 
     def _can_differ(self, play: Play, slots: tuple[Index | None, ...]) -> bool:
         """Whether two pairs of neighbours, none of them filled yet, can get different steps."""

@@ -39,6 +39,10 @@ class Pattern(EachSlot):
         """Refuse a pattern of nothing."""
         demand(bool(self.tests), "tests", "none", "at least one")
 
+    def along(self) -> Line:
+        """The line of the rule."""
+        return self.line
+
     def allowed(self, setting: Setting) -> tuple[Mask, ...]:
         """The tokens that pass each slot's test."""
         masks = [passing(setting, test) for test in self.tests]
@@ -71,6 +75,10 @@ class Template(Pairwise):
     def __post_init__(self) -> None:
         """Refuse a template of nothing."""
         demand(bool(self.letters), "letters", "none", "at least one")
+
+    def along(self) -> Line:
+        """The line of the rule."""
+        return self.line
 
     def links(self, setting: Setting) -> Iterator[Link]:
         """Every pair of places that have a letter."""

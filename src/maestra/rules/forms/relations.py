@@ -60,6 +60,10 @@ class EachPair(Pairwise):
         mirror_in_time = self.pairs is Pairs.MIRRORED and self.line is Line.TIME
         demand(not mirror_in_time, "pairs", "mirrored in time", "mirrored along the row")
 
+    def along(self) -> Line:
+        """The line of the rule."""
+        return self.line
+
     def links(self, setting: Setting) -> Iterator[Link]:
         """The pairs of places."""
         masks = related(setting, self.relation)
@@ -77,11 +81,6 @@ class TwoPlaces(Pairwise):
     second: Place
     relation: Relation
     form: Literal["two-places"] = field(default="two-places", kw_only=True, repr=False)
-
-    @property
-    def line(self) -> Line:
-        """It looks at the row."""
-        return Line.ROW
 
     def links(self, setting: Setting) -> Iterator[Link]:
         """The one pair."""

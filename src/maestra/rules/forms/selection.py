@@ -9,7 +9,7 @@ import numpy as np
 
 from maestra.rules.forms.base import EachSlot, Form
 from maestra.rules.plays import Plays, Truth
-from maestra.rules.setting import Line, Mask, Play, Setting, bits
+from maestra.rules.setting import Mask, Play, Setting, bits
 from maestra.rules.token_tests import TokenTest, passing
 
 
@@ -23,11 +23,6 @@ class EveryToken(EachSlot):
 
     test: TokenTest
     form: Literal["every-token"] = field(default="every-token", kw_only=True, repr=False)
-
-    @property
-    def line(self) -> Line:
-        """It looks at the row."""
-        return Line.ROW
 
     def allowed(self, setting: Setting) -> tuple[Mask, ...]:
         """The same tokens everywhere."""

@@ -12,7 +12,7 @@ from maestra.rules.forms.base import EachSlot, Form
 from maestra.rules.forms.selection import EveryToken
 from maestra.rules.pairs import Compare, Related, related
 from maestra.rules.plays import Plays, Truth, as_table
-from maestra.rules.setting import ORIGIN_ROW, Line, Mask, Play, Setting, bits
+from maestra.rules.setting import ORIGIN_ROW, Mask, Play, Setting, bits
 from maestra.rules.token_tests import Anything, Comparison, Extreme, TokenTest, has, passing
 
 
@@ -27,11 +27,6 @@ class StraightUp(EachSlot):
 
     mirrored: Flag = False
     form: Literal["straight-up"] = field(default="straight-up", kw_only=True, repr=False)
-
-    @property
-    def line(self) -> Line:
-        """It looks at the row."""
-        return Line.ROW
 
     def allowed(self, setting: Setting) -> tuple[Mask, ...]:
         """The tokens of each column."""

@@ -101,6 +101,10 @@ class Before(Pairwise):
     line: Line = Line.TIME
     form: Literal["before"] = field(default="before", kw_only=True, repr=False)
 
+    def along(self) -> Line:
+        """The line of the rule."""
+        return self.line
+
     def links(self, setting: Setting) -> Iterator[Link]:
         """Every pair."""
         first, second = passing(setting, self.first), passing(setting, self.second)

@@ -1,0 +1,58 @@
+"""What the guided session says of plays and of what it understood."""
+
+from typing import Final
+
+from maestra.cli.demo_stages import Drawn, Output, Said, Taught, Tone
+from maestra.cli.drawing import label
+from maestra.cli.lesson import Speech
+from maestra.core.demonstration import Demonstration
+from maestra.language.terminal import TerminalKey as Key
+from maestra.rules.summary import Check
+
+MAX_GAPS: Final = 5
+"""What is not clear yet: as much as a person reads between two plays."""
+
+
+def moves_of(play: Demonstration, speech: Speech, *, one_by_one: bool) -> list[Output]:
+    """A play that Maestra shows: each move, or only the tokens in their order."""
+    tokens = [label(play.deck.by_id[move.token]) for move in play.moves]
+    if not one_by_one:
+        return [Said("  ".join(tokens))]
+    said = [
+        Said(speech.say(Key.I_MOVE, token=token, column=move.destination.column))
+        for token, move in zip(tokens, play.moves, strict=True)
+    ]
+    return [Drawn(play.start, play.deck), *said, Drawn(play.end, play.deck)]
+
+
+def _rules(taught: Taught, speech: Speech) -> list[str]:
+    """The rules in words; none before anything was shown."""
+    return [one.text for one in speech.rules(taught.summary)] if taught.shown else []
+
+
+def new_rules(before: Taught, taught: Taught, speech: Speech) -> list[Output]:
+    """The rules that were not there before."""
+    known = _rules(before, speech)
+    new = [text for text in _rules(taught, speech) if text not in known]
+    return [Said(f"+ {text}", Tone.NEW) for text in new]
+
+
+def understood(before: Taught, taught: Taught, speech: Speech) -> list[Output]:
+    """All that is understood, what is new marked, and what is not clear yet."""
+    known = _rules(before, speech)
+    outputs: list[Output] = [Said(speech.say(Key.UNDERSTOOD), Tone.HEADING)]
+    for text in _rules(taught, speech):
+        is_new = text not in known
+        outputs.append(
+            Said(f"{'+' if is_new else ' '} {text}", Tone.NEW if is_new else Tone.PLAIN)
+        )
+    gaps = speech.gaps(taught.summary)
+    if gaps:
+        outputs.append(Said(speech.say(Key.STILL_NARROW)))
+        outputs += [Said(f"  - {gap.text}", Tone.ASIDE) for gap in gaps[:MAX_GAPS]]
+        if len(gaps) > MAX_GAPS:
+            more = speech.say(Key.AND_MORE, count=len(gaps) - MAX_GAPS)
+            outputs.append(Said(f"  - {more}", Tone.ASIDE))
+    elif taught.summary.check is Check.SAME:
+        outputs.append(Said(speech.say(Key.ALL_CLEAR), Tone.GOOD))
+    return outputs

@@ -1,0 +1,120 @@
+"""Maestra as a process of its own: what cannot be seen from inside."""
+
+import os
+import pty
+import re
+import signal
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+import pytest
+
+from maestra import __version__
+from tests.cli.running import EXAMPLES, learned
+
+MAESTRA = (sys.executable, "-m", "maestra")
+COLOUR = re.compile("\x1b\\[(?:\\d+;)*[349]\\d")
+PLAYS = EXAMPLES / "plays" / "ascending.jsonl"
+
+
+@pytest.fixture(name="exercise", scope="module")
+def an_exercise(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    return learned(tmp_path_factory.mktemp("exercise"), "ascending")
+
+
+def test_the_package_runs_as_the_program_does() -> None:
+    done = subprocess.run([*MAESTRA, "--version"], capture_output=True, text=True, check=True)
+    assert (done.stdout, done.stderr) == (f"maestra {__version__}\n", "")
+
+
+def test_bad_input_ends_with_2_and_one_line() -> None:
+    done = subprocess.run(
+        [*MAESTRA, "explain", "/gone"], capture_output=True, text=True, check=False
+    )
+    assert (done.returncode, done.stdout) == (2, "")
+    assert done.stderr == "maestra: /gone: no such file or folder, expected one that exists\n"
+
+
+def test_each_play_is_answered_before_the_next_is_read(exercise: Path) -> None:
+    with subprocess.Popen(
+        [*MAESTRA, "judge", str(exercise), "-"], stdin=subprocess.PIPE, stdout=subprocess.PIPE
+    ) as process:
+        assert process.stdin is not None
+        assert process.stdout is not None
+        for line in PLAYS.read_bytes().splitlines(keepends=True)[:2]:
+            process.stdin.write(line)
+            process.stdin.flush()
+            assert process.stdout.readline().startswith(b'{"moves": ')
+        process.stdin.close()
+    assert process.returncode == 1
+
+
+def test_a_reader_that_goes_away_ends_it_quietly(exercise: Path) -> None:
+    with subprocess.Popen(
+        [*MAESTRA, "judge", str(exercise), "-"],
+        stdin=subprocess.PIPE,
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
+    ) as process:
+        assert process.stdout is not None
+        process.stdout.close()
+        _, said = process.communicate(PLAYS.read_bytes() * 20)
+    assert (process.returncode, said) == (141, b"")
+
+
+@pytest.mark.parametrize("arguments", [["judge"], ["explain"], []])
+def test_a_full_disk_is_said_in_one_line(exercise: Path, arguments: list[str]) -> None:
+    files = {"judge": [str(exercise), str(PLAYS)], "explain": [str(exercise)]}
+    more = files[arguments[0]] if arguments else []
+    with Path("/dev/full").open("wb") as full:
+        done = subprocess.run(
+            [*MAESTRA, *arguments, *more], stdout=full, stderr=subprocess.PIPE, check=False
+        )
+    assert done.returncode == 2
+    assert done.stderr == b"maestra: standard output: no space left, expected room on the disk\n"
+
+
+def test_control_c_ends_it_quietly(exercise: Path) -> None:
+    with subprocess.Popen(
+        [*MAESTRA, "judge", str(exercise), "-"],
+        stdin=subprocess.PIPE,
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
+    ) as process:
+        assert process.stdin is not None
+        assert process.stdout is not None
+        process.stdin.write(PLAYS.read_bytes().splitlines(keepends=True)[0])
+        process.stdin.flush()
+        process.stdout.readline()
+        process.send_signal(signal.SIGINT)
+        _, said = process.communicate()
+    assert (process.returncode, said) == (130, b"")
+
+
+def test_the_session_has_colours_on_a_terminal_unless_they_are_not_wanted() -> None:
+    assert COLOUR.search(on_terminal({}))
+    assert not COLOUR.search(on_terminal({"NO_COLOR": "1"}))
+
+
+def on_terminal(variables: dict[str, str]) -> str:
+    """What a person sees who asks for the first exercise and leaves."""
+    ours, theirs = pty.openpty()
+    environment = {name: value for name, value in os.environ.items() if name != "NO_COLOR"}
+    with subprocess.Popen(
+        [*MAESTRA, "demo", "--lang", "en"],
+        stdin=theirs,
+        stdout=theirs,
+        stderr=theirs,
+        env=environment | {"TERM": "xterm-256color"} | variables,
+    ) as process:
+        os.close(theirs)
+        os.write(ours, b"7\nquit\n")
+        seen = b""
+        deadline = time.monotonic() + 60
+        while b"Goodbye." not in seen and time.monotonic() < deadline:
+            seen += os.read(ours, 4096)
+    os.close(ours)
+    assert process.returncode == 0
+    return seen.decode()
