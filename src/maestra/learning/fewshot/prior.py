@@ -97,7 +97,7 @@ def kind_of(rule: Rule) -> tuple[object, ...]:
             return (type(rule),)
 
 
-def surcharge(rule: Rule, setting: Setting) -> float:  # noqa: C901, PLR0911 - one for each kind
+def surcharge(rule: Rule, setting: Setting) -> float:  # noqa: C901 - one for each kind
     """Bits for a parameter that was read off the plays, and for what is seldom said."""
     length = max(2, setting.length)
     match rule:

@@ -93,9 +93,9 @@ def _in_words(rows: Tokens, weight: NDArray[np.float64]) -> Rows:
 
 def proposals_of(setting: Setting, rules: Sequence[Rule], *, gaps: bool) -> list[Proposal]:
     """Anything, each of the first rules, and two by two."""
-    slots = [r for r in rules if isinstance(r, EachSlot) and r.line is Line.ROW]
-    pairs = [r for r in rules if isinstance(r, Pairwise) and r.line is Line.ROW]
-    singles = [r for r in rules if isinstance(r, EachSlot | Pairwise) and r.line is Line.ROW]
+    slots = [r for r in rules if isinstance(r, EachSlot) and r.along() is Line.ROW]
+    pairs = [r for r in rules if isinstance(r, Pairwise) and r.along() is Line.ROW]
+    singles = [r for r in rules if isinstance(r, EachSlot | Pairwise) and r.along() is Line.ROW]
     twos = [(one, two) for one in slots[:PAIRED] for two in pairs[:PAIRED]]
     return [
         _proposal(setting, chosen, gaps=gaps)

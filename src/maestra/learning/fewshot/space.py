@@ -199,7 +199,7 @@ class Context:
         for slot, mask in enumerate(rule.allowed(self.setting)):
             if self.setting.movable & ~mask:
                 table = as_table(self.setting, mask, nobody=True)
-                right &= table.take(self.place(rule.line, slot))
+                right &= table.take(self.place(rule.along(), slot))
         return right
 
     def _by_pair(self, rule: Pairwise) -> Truth:
@@ -208,7 +208,7 @@ class Context:
         tokens = len(self.setting.deck.tokens) + 1
         for i, j, masks in links:
             flat = as_matrix(self.setting, masks).ravel()
-            one, two = self.place(rule.line, i), self.place(rule.line, j)
+            one, two = self.place(rule.along(), i), self.place(rule.along(), j)
             if right is not None:
                 one, two = one.take(right), two.take(right)
             good = flat.take(one * tokens + two)
