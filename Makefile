@@ -86,7 +86,7 @@ million: setup ## read a million demonstrations: how fast, in how much memory
 	$(BIN)/python benchmarks/million.py
 
 .PHONY: properties
-properties: setup ## the tests with 5,000 examples for each law instead of 100
+properties: setup ## the tests with 5,000 examples for each law instead of 40
 	$(BIN)/python -m pytest --numprocesses=2 --hypothesis-profile=nightly --timeout=0
 
 .PHONY: nightly-setup

@@ -21,8 +21,8 @@ from maestra.learning.compiled_learner import CompiledLesson, learn_compiled
 from maestra.learning.grounded import GroundedLearner, learn_grounded, vocabulary_for
 from maestra.learning.planning import Limits
 from maestra.planners import PLANNERS
-from maestra.rules.summary import summarise
-from maestra.rules.vocabulary import Level
+from maestra.rules.strips.vocabulary import Level
+from maestra.rules.summaries.summary import summarise
 
 TWELVE = "learn twelve demonstrations of 'ascending'"
 LIMITS = Limits(time_s=120, memory_mb=2_000)

@@ -25,8 +25,8 @@ from maestra.core.state import State as Layout
 from maestra.core.tokens import Deck, Token, TokenId
 from maestra.learning.grounded import GroundedLearner, vocabulary_for
 from maestra.rules.features import pair_feature_holds, token_feature_holds
-from maestra.rules.literals import Contains, Literal, Placed, Related, Shows
-from maestra.rules.vocabulary import Level, Vocabulary
+from maestra.rules.strips.literals import Contains, Literal, Placed, Related, Shows
+from maestra.rules.strips.vocabulary import Level, Vocabulary
 
 BOARD = Board(3, 3, Row(1))
 DECK = Deck(

@@ -16,7 +16,7 @@ from maestra.learning.planning import (
     Unsupported,
 )
 from maestra.rules.exercise_format import decode_exercise
-from maestra.rules.summary import summarise
+from maestra.rules.summaries.summary import summarise
 from tests.cli.running import EXAMPLES, maestra
 
 ASCENDING = EXAMPLES / "ascending.jsonl"

@@ -1,11 +1,13 @@
 import errno
 import re
+import runpy
+import sys
 
 import pytest
 import typer
 
 from maestra import __version__
-from maestra.cli import program
+from maestra.cli import main, program
 from maestra.cli.terms import ReaderGoneError
 from tests.cli.running import maestra
 
@@ -128,3 +130,19 @@ def test_an_end_from_outside_is_quiet(
     raising(monkeypatch, error)
     ran = maestra("learn")
     assert (ran.code, ran.out, ran.err) == (code, "", "")
+
+
+@pytest.mark.parametrize("module", ["maestra", "maestra.__main__"])
+def test_the_package_runs_as_a_module(
+    module: str, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.setattr("sys.argv", ["maestra", "--version"])
+    monkeypatch.delitem(sys.modules, "maestra.__main__", raising=False)
+    with pytest.raises(SystemExit) as ended:
+        runpy.run_module(module, run_name="__main__")
+    assert ended.value.code == 0
+    assert capsys.readouterr().out == f"maestra {__version__}\n"
+
+
+def test_importing_the_entry_runs_nothing() -> None:
+    assert runpy.run_module("maestra.__main__", run_name="imported")["main"] is main

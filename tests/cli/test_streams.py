@@ -16,6 +16,7 @@ from maestra.cli.streams import (
     read_chunks,
     read_whole,
     size_of,
+    waiting,
     write_file,
 )
 from maestra.cli.terms import ReaderGoneError
@@ -213,3 +214,17 @@ def test_progress_that_is_not_wanted_is_not_shown(monkeypatch: pytest.MonkeyPatc
     with progress("Reading", None, wanted=False) as advance:
         advance(1)
     assert terminal.getvalue() == ""
+
+
+def test_a_wait_of_unknown_length_is_shown_on_a_terminal(monkeypatch: pytest.MonkeyPatch) -> None:
+    terminal = Terminal()
+    monkeypatch.setattr(sys, "stderr", terminal)
+    with waiting("Planning"):
+        time.sleep(0.01)
+    assert "Planning" in terminal.getvalue()
+
+
+def test_a_wait_is_not_shown_where_nobody_looks(capsys: pytest.CaptureFixture[str]) -> None:
+    with waiting("Planning"):
+        pass
+    assert capsys.readouterr() == ("", "")

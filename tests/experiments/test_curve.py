@@ -15,7 +15,7 @@ from maestra.experiments.curve import (
 from maestra.learning.grounded import learn_grounded
 from maestra.rules.ground_truth import ground_truth
 from maestra.rules.paper import PAPER_EXERCISES
-from maestra.rules.vocabulary import Level
+from maestra.rules.strips.vocabulary import Level
 
 
 def ascending(demonstrations: int, level: Level = Level.A) -> CurveSettings:

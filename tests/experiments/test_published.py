@@ -10,7 +10,7 @@ from maestra.experiments.curve import CurveSettings, curve_points
 from maestra.experiments.running import curve_csv, curve_runs
 from maestra.experiments.table import GROUNDED
 from maestra.rules.paper import PAPER_EXERCISES
-from maestra.rules.vocabulary import Level
+from maestra.rules.strips.vocabulary import Level
 
 PUBLISHED: Final = Path(__file__).parents[2] / "docs" / "reference" / "experiments"
 SEED: Final = 1

@@ -18,7 +18,7 @@ from maestra.experiments.running import (
     table_json,
 )
 from maestra.experiments.table import TableRow
-from maestra.rules.vocabulary import Level
+from maestra.rules.strips.vocabulary import Level
 
 SETTINGS = CurveSettings("odd-ascending", Level.A, 4, seed=3)
 

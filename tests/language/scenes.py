@@ -16,12 +16,12 @@ from maestra.language import (
     rule_sentences,
 )
 from maestra.learning.grounded import GroundedLearner
-from maestra.rules.blame import broken_ids
 from maestra.rules.exercise import GroundedExercise, Provenance
 from maestra.rules.ground_truth import ground_truth
 from maestra.rules.judging import Allowed, Judge, JudgedMove
 from maestra.rules.paper import PAPER_EXERCISES
-from maestra.rules.summary import summarise
+from maestra.rules.summaries.blame import broken_ids
+from maestra.rules.summaries.summary import summarise
 
 GOLDEN = Path(__file__).parent / "golden"
 FEW = 3

@@ -23,7 +23,6 @@ from maestra.language import (
 from maestra.language.languages import speaker_for
 from maestra.language.phrases import Adjective, Degree
 from maestra.learning.grounded import learn_grounded
-from maestra.rules.blame import broken_ids
 from maestra.rules.features import CellFeature, PairFeature, TokenFeature
 from maestra.rules.fields import Position
 from maestra.rules.forms.length import FullRow
@@ -43,11 +42,12 @@ from maestra.rules.judging import (
     PutBack,
     Verdict,
 )
-from maestra.rules.literals import Contains, Literal, Placed, Related, Shows
 from maestra.rules.pairs import different, same
 from maestra.rules.rule import Rule
-from maestra.rules.strips import Action
-from maestra.rules.summary import Check, Narrow, Step, Summary, Unseen, summarise
+from maestra.rules.strips.actions import Action
+from maestra.rules.strips.literals import Contains, Literal, Placed, Related, Shows
+from maestra.rules.summaries.blame import broken_ids
+from maestra.rules.summaries.summary import Check, Narrow, Step, Summary, Unseen, summarise
 from maestra.rules.token_tests import Anything, Not, has
 from tests.language.scenes import enough
 

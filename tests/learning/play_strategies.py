@@ -6,7 +6,7 @@ from maestra.core.board import Board, Row
 from maestra.core.demonstration import Demonstration
 from maestra.core.state import Move, State
 from maestra.core.tokens import Attributes, Deck, Token, TokenId
-from maestra.rules.vocabulary import Level
+from maestra.rules.strips.vocabulary import Level
 
 LOOKS: tuple[Attributes, ...] = (
     (("value", 1),),

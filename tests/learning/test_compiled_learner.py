@@ -12,8 +12,8 @@ from maestra.learning.compiled_learner import CompiledLesson, learn_compiled, st
 from maestra.learning.grounded import learn_grounded
 from maestra.learning.planning import Limits, NoEngine, Outcome, PlanningProblem, Solved
 from maestra.learning.plans import in_order_of_need
-from maestra.rules.literals import formula
-from maestra.rules.vocabulary import Level
+from maestra.rules.strips.literals import formula
+from maestra.rules.strips.vocabulary import Level
 from tests.learning.play_strategies import demonstrations, levels, selections
 
 AMPLE = Limits(10.0, 1_000)

@@ -18,9 +18,9 @@ from maestra.learning.grounded import (
 from maestra.rules.exercise import GroundedExercise
 from maestra.rules.features import DEFAULT_CELLS, FRAME, UnknownFeatureError
 from maestra.rules.judging import Allowed, Judge
-from maestra.rules.literals import Literal
-from maestra.rules.strips import Action
-from maestra.rules.vocabulary import Level
+from maestra.rules.strips.actions import Action
+from maestra.rules.strips.literals import Literal
+from maestra.rules.strips.vocabulary import Level
 from tests.rules import by_definition
 from tests.rules.ascending import ascending, exercise_of, paper_lesson
 from tests.rules.lessons import Lesson, lessons

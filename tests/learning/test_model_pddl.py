@@ -22,7 +22,7 @@ from maestra.learning.model_pddl import ExercisePddl, exercise_pddl, plan_moves
 from maestra.planners.fast_downward import find_binary
 from maestra.rules.exercise import GroundedExercise
 from maestra.rules.judging import Allowed, Judge
-from maestra.rules.vocabulary import Level
+from maestra.rules.strips.vocabulary import Level
 from tests.strategies import demonstrations
 
 # Neither library says its types in full.

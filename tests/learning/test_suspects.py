@@ -4,8 +4,8 @@ from maestra.learning.grounded import learn_grounded
 from maestra.learning.suspects import doubts, doubts_without_rule
 from maestra.learning.teaching_sets import teaching_set
 from maestra.rules.ground_truth import ground_truth
-from maestra.rules.literals import formula
 from maestra.rules.paper import PAPER_EXERCISES
+from maestra.rules.strips.literals import formula
 
 ASCENDING = PAPER_EXERCISES["ascending"]
 SHOWN = [ASCENDING.plays().play(number) for number in (7, 10**12, 2 * 10**12)]

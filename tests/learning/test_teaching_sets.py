@@ -14,7 +14,7 @@ from maestra.rules.features import select_features
 from maestra.rules.ground_truth import ground_truth
 from maestra.rules.paper import PAPER_EXERCISES
 from maestra.rules.right_plays import Placements, RightPlays
-from maestra.rules.vocabulary import Level, Vocabulary
+from maestra.rules.strips.vocabulary import Level, Vocabulary
 from tests.rules.small_exercises import every_play, small_exercises, vocabularies
 
 

@@ -9,7 +9,7 @@ from maestra.learning.teaching_sets import open_literals
 from maestra.learning.telling import MostTelling
 from maestra.rules.features import select_features
 from maestra.rules.right_plays import RightPlays
-from maestra.rules.vocabulary import Level, Vocabulary
+from maestra.rules.strips.vocabulary import Level, Vocabulary
 from tests.rules.small_exercises import every_play, small_exercises, vocabularies
 
 

@@ -11,7 +11,7 @@ from maestra.learning.compiled_learner import CompiledLesson, learn_compiled
 from maestra.learning.grounded import learn_grounded
 from maestra.learning.planning import Limits, Planner
 from maestra.planners import PLANNERS
-from maestra.rules.vocabulary import Level
+from maestra.rules.strips.vocabulary import Level
 from tests.learning.planning_strategies import deleted_directly, deletion_tasks
 from tests.learning.play_strategies import demonstrations, levels, selections
 

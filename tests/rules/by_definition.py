@@ -16,9 +16,9 @@ from maestra.core.demonstration import Demonstration
 from maestra.core.state import Move, State
 from maestra.core.tokens import Attributes, Deck, TokenId, Value
 from maestra.rules.features import CellFeature, PairFeature, TokenFeature
-from maestra.rules.literals import Contains, Literal, Placed, Related, Shows
-from maestra.rules.strips import Action
-from maestra.rules.vocabulary import Level, Vocabulary
+from maestra.rules.strips.actions import Action
+from maestra.rules.strips.literals import Contains, Literal, Placed, Related, Shows
+from maestra.rules.strips.vocabulary import Level, Vocabulary
 
 ALPHABET = "abcdefghijklmnñopqrstuvwxyz"
 Preconditions = Mapping[Action, frozenset[Literal]]

@@ -13,7 +13,7 @@ from maestra.core.demonstration import Demonstration
 from maestra.core.state import Move, State
 from maestra.core.tokens import Deck, Token, TokenId, Value
 from maestra.rules.features import select_features
-from maestra.rules.vocabulary import Level, Vocabulary
+from maestra.rules.strips.vocabulary import Level, Vocabulary
 
 DAYS = ("Mon", "Tue", "Wed")
 VALUES: Mapping[str, tuple[Value, ...]] = {

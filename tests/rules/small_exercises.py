@@ -13,7 +13,7 @@ from maestra.core.state import Move, State
 from maestra.core.tokens import Deck, Token, TokenId
 from maestra.rules.features import feature_names, select_features
 from maestra.rules.right_plays import Placement, Placements, RightPlays
-from maestra.rules.vocabulary import Level, Vocabulary
+from maestra.rules.strips.vocabulary import Level, Vocabulary
 
 Origins = Mapping[tuple[int, TokenId], frozenset[Cell] | None]
 

@@ -18,7 +18,7 @@ from maestra.rules import exercise_format
 from maestra.rules.exercise import GroundedExercise
 from maestra.rules.exercise_format import ExerciseJson, decode_exercise, encode_exercise
 from maestra.rules.judging import Judge
-from maestra.rules.vocabulary import Level
+from maestra.rules.strips.vocabulary import Level
 from scripts.write_schemas import schemas
 from tests.rules.ascending import exercise_of, paper_lesson
 from tests.rules.lessons import Lesson, lessons

@@ -8,9 +8,9 @@ from maestra.core.tokens import Deck, Token, TokenId
 from maestra.learning.grounded import GroundedLearner
 from maestra.rules.features import select_features
 from maestra.rules.ground_truth import ground_truth
-from maestra.rules.literals import Contains
 from maestra.rules.right_plays import RightPlays
-from maestra.rules.vocabulary import Level, Vocabulary
+from maestra.rules.strips.literals import Contains
+from maestra.rules.strips.vocabulary import Level, Vocabulary
 from tests.rules.small_exercises import every_play, small_exercises, vocabularies
 
 

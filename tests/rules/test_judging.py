@@ -10,7 +10,6 @@ from maestra.core.faults import InvalidError
 from maestra.core.state import IllegalMoveError, Move, State
 from maestra.core.tokens import Deck, Token, TokenId
 from maestra.learning.grounded import GroundedLearner
-from maestra.rules import completion
 from maestra.rules.exercise import GroundedExercise
 from maestra.rules.features import CellFeature, PairFeature
 from maestra.rules.judging import (
@@ -22,8 +21,9 @@ from maestra.rules.judging import (
     NotShown,
     PutBack,
 )
-from maestra.rules.literals import Placed, Related
-from maestra.rules.strips import Action, ActionModel
+from maestra.rules.strips import completion
+from maestra.rules.strips.actions import Action, ActionModel
+from maestra.rules.strips.literals import Placed, Related
 from tests.rules import by_definition
 from tests.rules.ascending import (
     BOARD,

@@ -17,7 +17,7 @@ from maestra.learning.suspects import doubts
 from maestra.rules.judging import Judge
 from maestra.rules.paper import BOARD, LETTER_DECK, NUMBER_DECK, PAPER_EXERCISES
 from maestra.rules.right_plays import RightPlays
-from maestra.rules.summary import Summary, summarise
+from maestra.rules.summaries.summary import Summary, summarise
 
 
 class Tone(Enum):

@@ -7,7 +7,7 @@ from maestra.cli.drawing import label
 from maestra.cli.lesson import Speech
 from maestra.core.demonstration import Demonstration
 from maestra.language.terminal import TerminalKey as Key
-from maestra.rules.summary import Check
+from maestra.rules.summaries.summary import Check
 
 MAX_GAPS: Final = 5
 """What is not clear yet: as much as a person reads between two plays."""

@@ -105,7 +105,7 @@ def curve(
     from maestra.cli.streams import print_json, progress, write_file
     from maestra.experiments.curve import CurveSettings, curve_points
     from maestra.experiments.running import curve_csv, curve_json, curve_runs, curve_svg
-    from maestra.rules.vocabulary import Level
+    from maestra.rules.strips.vocabulary import Level
 
     if jobs == 0:
         raise typer.BadParameter("0 processes do nothing", param_hint="--jobs")

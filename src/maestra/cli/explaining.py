@@ -8,8 +8,8 @@ from maestra.cli.streams import print_json, print_lines
 from maestra.language import Language, explain_action
 from maestra.language.terminal import TerminalKey
 from maestra.rules.exercise import GroundedExercise
-from maestra.rules.literals import formula
-from maestra.rules.summary import summarise
+from maestra.rules.strips.literals import formula
+from maestra.rules.summaries.summary import summarise
 
 
 def explain(

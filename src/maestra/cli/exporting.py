@@ -4,7 +4,7 @@ from pathlib import Path
 
 from maestra.cli.faults_at import at_line
 from maestra.cli.loading import exercise_in
-from maestra.cli.streams import named, print_json, print_lines, read_chunks, write_file
+from maestra.cli.streams import named, print_json, print_lines, read_chunks, waiting, write_file
 from maestra.core.demonstration import Demonstration
 from maestra.core.formats import read_numbered
 from maestra.learning.model_pddl import exercise_pddl
@@ -13,13 +13,12 @@ from maestra.learning.model_pddl import exercise_pddl
 def export(exercise_file: str, folder: str, play_file: str | None, *, as_json: bool) -> None:
     """Write `domain.pddl` and `problem.pddl` into `folder`, which is made if need be."""
     exercise = exercise_in(exercise_file)
-    if play_file is None:
-        texts = exercise_pddl(exercise)
-    else:
+    number, play = 1, None
+    if play_file is not None:
         chunks = read_chunks(play_file)
         number, play = next(read_numbered(chunks, named(play_file), Demonstration))
-        with at_line(named(play_file), number):
-            texts = exercise_pddl(exercise, play)
+    with at_line(named(play_file or exercise_file), number), waiting("Writing PDDL"):
+        texts = exercise_pddl(exercise, play)
     written = write_pddl(folder, texts.domain, texts.problem)
     if as_json:
         print_json(written)

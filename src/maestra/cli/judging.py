@@ -14,10 +14,10 @@ from maestra.core.board import Cell
 from maestra.core.formats import encode_move
 from maestra.core.state import Move, State
 from maestra.language import Language, Lexicon, reason
-from maestra.rules.blame import broken_ids
 from maestra.rules.exercise import GroundedExercise
 from maestra.rules.judging import AfterTheEnd, Allowed, Judge, JudgedMove, PutBack
-from maestra.rules.summary import Summary, summarise
+from maestra.rules.summaries.blame import broken_ids
+from maestra.rules.summaries.summary import Summary, summarise
 
 
 @dataclass(frozen=True, slots=True)

@@ -14,7 +14,7 @@ from maestra.cli.faults_at import at_line
 from maestra.cli.lesson import Lesson, Speech, next_to_show
 from maestra.cli.loading import words_in
 from maestra.cli.shown_file import MAX_KEPT, Shown, shown_in
-from maestra.cli.streams import STANDARD, print_json, write_file
+from maestra.cli.streams import STANDARD, print_json, waiting, write_file
 from maestra.cli.terms import THE_ANSWER_IS_NO
 from maestra.core.faults import Fault, InvalidError
 from maestra.core.json_lines import FormatError
@@ -35,8 +35,8 @@ from maestra.learning.planning_pddl import compiled_pddl
 from maestra.rules.exercise import GroundedExercise
 from maestra.rules.exercise_format import encode_exercise
 from maestra.rules.features import UnknownFeatureError, select_features
-from maestra.rules.summary import summarise
-from maestra.rules.vocabulary import Level, Vocabulary
+from maestra.rules.strips.vocabulary import Level, Vocabulary
+from maestra.rules.summaries.summary import summarise
 
 
 @dataclass(frozen=True, slots=True)
@@ -104,11 +104,13 @@ def _planned(
         found, expected = f"{shown.count} demonstrations", f"at most {MAX_KEPT} for a planner"
         raise FormatError(shown.name, 1, (Fault("", found, expected),))
     if planning.pddl_folder is not None:
-        texts = compiled_pddl(state(shown.kept, level, features).task)
+        with waiting("Writing PDDL"):
+            texts = compiled_pddl(state(shown.kept, level, features).task)
         write_pddl(planning.pddl_folder, texts.domain, texts.problem)
     planner = planner_named(planning.engine)
     limits = Limits(planning.time_s, planning.memory_mb)
-    lesson = learn_compiled(shown.kept, planner, limits, level, features)
+    with waiting(f"Planning with {planning.engine}"):
+        lesson = learn_compiled(shown.kept, planner, limits, level, features)
     if not isinstance(lesson, CompiledLesson):
         raise InvalidError([_no_plan(lesson, planning)])
     return lesson.exercise, lesson.report

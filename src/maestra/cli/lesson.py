@@ -20,9 +20,9 @@ from maestra.language import (
 from maestra.language.terminal import TerminalKey, terminal_sentence
 from maestra.learning.compiled import CompiledReport
 from maestra.learning.suspects import doubts, doubts_without_rule
-from maestra.rules.accepted import accepted_plays
 from maestra.rules.exercise import GroundedExercise
-from maestra.rules.summary import Check, Narrow, Summary, Unseen
+from maestra.rules.summaries.accepted import accepted_plays
+from maestra.rules.summaries.summary import Check, Narrow, Summary, Unseen
 
 MAX_LOOKED_AT: Final = 200
 """Demonstrations among which the next one to show is looked for: it must not take long."""

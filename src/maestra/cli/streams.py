@@ -146,6 +146,18 @@ def progress(what: str, total: int | None, *, wanted: bool = True) -> Generator[
         bar.close()
 
 
+@contextlib.contextmanager
+def waiting(what: str) -> Generator[None]:
+    """Show that something is going on whose progress nobody knows, as `progress` does."""
+    if not sys.stderr.isatty():
+        yield
+        return
+    from rich.console import Console
+
+    with Console(stderr=True).status(what):
+        yield
+
+
 class _Bar:
     """A progress bar that appears only once its task has taken a while."""
 

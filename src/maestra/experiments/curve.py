@@ -24,8 +24,8 @@ from maestra.learning.grounded import GroundedLearner
 from maestra.learning.teaching_sets import teaching_set
 from maestra.rules.ground_truth import ground_truth
 from maestra.rules.paper import PAPER_EXERCISES, PaperExercise
-from maestra.rules.strips import Action
-from maestra.rules.vocabulary import Level
+from maestra.rules.strips.actions import Action
+from maestra.rules.strips.vocabulary import Level
 
 LOW: Final = 0.1
 HIGH: Final = 0.9

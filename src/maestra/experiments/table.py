@@ -32,7 +32,7 @@ from maestra.learning.teaching_sets import TeachingSet, teaching_set
 from maestra.rules.exercise import GroundedExercise
 from maestra.rules.ground_truth import ground_truth
 from maestra.rules.paper import PAPER_EXERCISES
-from maestra.rules.summary import summarise
+from maestra.rules.summaries.summary import summarise
 
 _Result = TypeVar("_Result")
 

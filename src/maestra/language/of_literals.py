@@ -14,7 +14,7 @@ from maestra.language.of_pairs import Two
 from maestra.language.of_tokens import Tokens
 from maestra.language.phrases import InRow, Joint, Listing, Named, Numeral, Phrase, Place, Say, say
 from maestra.rules.features import PairFeature
-from maestra.rules.literals import Contains, Literal, Placed, Related, Shows
+from maestra.rules.strips.literals import Contains, Literal, Placed, Related, Shows
 
 _CELLS: Final = MappingProxyType({"destination": Key.GOES_TO, "origin": Key.COMES_FROM})
 _NUMBERS: Final = MappingProxyType(

@@ -15,8 +15,8 @@ from maestra.language.of_tokens import Tokens
 from maestra.language.phrases import Joint, Listing, Named, Nth, Phrase, Place, Say, say
 from maestra.rules.forms.length import FullRow
 from maestra.rules.forms.timing import FillOrder
-from maestra.rules.literals import Placed
-from maestra.rules.summary import Check, Narrow, Step, Summary, Unseen
+from maestra.rules.strips.literals import Placed
+from maestra.rules.summaries.summary import Check, Narrow, Step, Summary, Unseen
 
 MAX_CONDITIONS: Final = 3
 """A sentence with more conditions is not understood."""

@@ -30,7 +30,6 @@ from maestra.language.phrases import (
     opposite,
     say,
 )
-from maestra.rules.blame import broken_rules
 from maestra.rules.forms.order import Ordered
 from maestra.rules.forms.patterns import Pattern
 from maestra.rules.forms.relations import EachPair
@@ -45,11 +44,12 @@ from maestra.rules.judging import (
     NotShown,
     Refused,
 )
-from maestra.rules.literals import Contains, Literal, Placed, Related, Shows
 from maestra.rules.rule import Rule
 from maestra.rules.setting import ORIGIN_ROW, Play, Setting
-from maestra.rules.strips import Action
-from maestra.rules.summary import Check, Summary, Unseen
+from maestra.rules.strips.actions import Action
+from maestra.rules.strips.literals import Contains, Literal, Placed, Related, Shows
+from maestra.rules.summaries.blame import broken_rules
+from maestra.rules.summaries.summary import Check, Summary, Unseen
 from maestra.rules.token_tests import Has
 
 MAX_WORDS: Final = 12

@@ -14,8 +14,8 @@ from maestra.language.of_tokens import Tokens
 from maestra.language.of_verdicts import MAX_WORDS, Reasons
 from maestra.language.phrases import Named, Nth, say
 from maestra.rules.judging import Allowed, JudgedMove, PutBack
-from maestra.rules.strips import Action, ActionModel
-from maestra.rules.summary import Summary
+from maestra.rules.strips.actions import Action, ActionModel
+from maestra.rules.summaries.summary import Summary
 
 
 @dataclass(frozen=True, slots=True)

@@ -21,14 +21,14 @@ from maestra.learning.compiled import (
 )
 from maestra.learning.grounded import GroundedLearner, Observation, vocabulary_for
 from maestra.rules.exercise import Deletion, GroundedExercise, Provenance
-from maestra.rules.literals import formula
-from maestra.rules.strips import Action, ActionModel
-from maestra.rules.vocabulary import Level, positions
+from maestra.rules.strips.actions import Action, ActionModel
+from maestra.rules.strips.literals import formula
+from maestra.rules.strips.vocabulary import Level, positions
 
 if TYPE_CHECKING:
     from maestra.core.demonstration import Demonstration
     from maestra.learning.planning import Limits, Planner, Unsolved
-    from maestra.rules.vocabulary import Vocabulary
+    from maestra.rules.strips.vocabulary import Vocabulary
 
 ActionKey: TypeAlias = tuple[int, int]
 """What the moved token shows, as an index into the vocabulary's, and the step."""

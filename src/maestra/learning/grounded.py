@@ -21,8 +21,8 @@ from maestra.core.faults import Fault, refuse
 from maestra.rules.decks import merge_decks
 from maestra.rules.exercise import Deletion, GroundedExercise, Provenance
 from maestra.rules.features import select_features
-from maestra.rules.strips import Action, ActionModel
-from maestra.rules.vocabulary import Level, Vocabulary
+from maestra.rules.strips.actions import Action, ActionModel
+from maestra.rules.strips.vocabulary import Level, Vocabulary
 
 if TYPE_CHECKING:
     from collections.abc import Mapping, Sequence

@@ -21,7 +21,7 @@ from maestra.core.faults import Fault, InvalidError
 from maestra.core.state import Move, State
 from maestra.learning.planning_pddl import safe_names
 from maestra.rules.features import pair_feature_holds, token_feature_holds
-from maestra.rules.literals import Contains, Placed, Related, Shows, symbol
+from maestra.rules.strips.literals import Contains, Placed, Related, Shows, symbol
 
 if TYPE_CHECKING:
     from collections.abc import Iterator, Mapping, Sequence
@@ -35,8 +35,8 @@ if TYPE_CHECKING:
     from maestra.core.demonstration import Demonstration
     from maestra.core.tokens import Attributes
     from maestra.rules.exercise import GroundedExercise
-    from maestra.rules.literals import Literal
-    from maestra.rules.strips import Action
+    from maestra.rules.strips.actions import Action
+    from maestra.rules.strips.literals import Literal
 
 _TYPES: Final = ("cell", "token", "step", "object")
 _PREDICATES: Final = ("now", "contains", "empty", "goal", "storage", "same-column")

@@ -17,7 +17,7 @@ import numpy as np
 from maestra.learning.covering import smallest_cover
 from maestra.learning.telling import Open, never_seen
 from maestra.rules.right_plays import PlayGroup, RightPlays
-from maestra.rules.vocabulary import Vocabulary
+from maestra.rules.strips.vocabulary import Vocabulary
 
 Integers: TypeAlias = np.ndarray[tuple[int, ...], np.dtype[np.int64]]
 Weights: TypeAlias = np.ndarray[tuple[int, ...], np.dtype[np.float64]]

@@ -16,10 +16,10 @@ from maestra.learning.telling import MostTelling, Open, never_seen
 from maestra.rules.exercise import GroundedExercise
 from maestra.rules.features import FRAME
 from maestra.rules.ground_truth import ground_truth
-from maestra.rules.literals import Literal, Placed
 from maestra.rules.right_plays import RightPlays, plays_like
-from maestra.rules.strips import Action
-from maestra.rules.vocabulary import positions
+from maestra.rules.strips.actions import Action
+from maestra.rules.strips.literals import Literal, Placed
+from maestra.rules.strips.vocabulary import positions
 
 
 @dataclass(frozen=True, slots=True)

@@ -29,7 +29,7 @@ from maestra.learning.showings import Showings, count_showings
 from maestra.learning.telling import MostTelling, Open, never_seen
 from maestra.rules.ground_truth import ground_truth
 from maestra.rules.right_plays import RightPlays
-from maestra.rules.vocabulary import Vocabulary
+from maestra.rules.strips.vocabulary import Vocabulary
 
 MAX_LISTED: Final = 1_000
 """Plays that the exact search lists at most."""

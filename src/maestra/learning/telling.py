@@ -27,7 +27,7 @@ from maestra.core.tokens import TokenId
 from maestra.learning.assignment import FORBIDDEN, cheapest_assignment
 from maestra.learning.grounded import GroundedLearner
 from maestra.rules.right_plays import PlayGroup, RightPlays
-from maestra.rules.vocabulary import Vocabulary
+from maestra.rules.strips.vocabulary import Vocabulary
 
 MAX_ARRANGED: Final = 64
 """Sequences for which the best start is computed before the best so far is good enough."""

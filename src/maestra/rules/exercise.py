@@ -10,7 +10,7 @@ if TYPE_CHECKING:
 
     from maestra.core.board import Board
     from maestra.core.tokens import Deck
-    from maestra.rules.strips import Action, ActionModel
+    from maestra.rules.strips.actions import Action, ActionModel
 
 
 @dataclass(frozen=True, slots=True)

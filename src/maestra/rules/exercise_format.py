@@ -22,15 +22,15 @@ from maestra.core.json_faults import Expecting, faults_of_validation
 from maestra.core.json_lines import FormatError, decode_object
 from maestra.rules.exercise import Deletion, GroundedExercise, Provenance
 from maestra.rules.features import Feature, labelled_feature
-from maestra.rules.literal_format import (
+from maestra.rules.strips.actions import Action, ActionModel
+from maestra.rules.strips.literal_format import (
     LiteralDecoder,
     LiteralJson,
     ShownJson,
     attributes_of,
     encode_literal,
 )
-from maestra.rules.strips import Action, ActionModel
-from maestra.rules.vocabulary import Level, Vocabulary
+from maestra.rules.strips.vocabulary import Level, Vocabulary
 
 EXERCISE_FORMAT: Final = "maestra.exercise/1"
 MAX_EXERCISE_BYTES: Final = 64 * 2**20

@@ -22,7 +22,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from maestra.core.faults import Fault, refuse
-from maestra.rules.strips import Action, ActionModel
+from maestra.rules.strips.actions import Action, ActionModel
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
@@ -30,7 +30,7 @@ if TYPE_CHECKING:
     from maestra.core.board import Cell
     from maestra.rules.arrangements import Arrangements
     from maestra.rules.right_plays import PlayGroup, RightPlays
-    from maestra.rules.vocabulary import Vocabulary
+    from maestra.rules.strips.vocabulary import Vocabulary
 
     Indices = np.ndarray[tuple[int, ...], np.dtype[np.intp]]
     Flags = np.ndarray[tuple[int, ...], np.dtype[np.bool_]]

@@ -7,8 +7,8 @@ from typing import TYPE_CHECKING, TypeAlias
 
 from maestra.core.faults import Fault, InvalidError
 from maestra.core.state import IllegalMoveError, Move
-from maestra.rules.completion import Completion, Prospect
-from maestra.rules.strips import Action
+from maestra.rules.strips.actions import Action
+from maestra.rules.strips.completion import Completion, Prospect
 
 if TYPE_CHECKING:
     from collections.abc import Iterator, Sequence
@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     from maestra.core.state import State
     from maestra.core.tokens import Deck, TokenId
     from maestra.rules.exercise import GroundedExercise
-    from maestra.rules.literals import Literal
+    from maestra.rules.strips.literals import Literal
 
 
 @dataclass(frozen=True, slots=True)

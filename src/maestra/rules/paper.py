@@ -20,7 +20,7 @@ from maestra.core.board import Board, Cell, Row
 from maestra.core.tokens import Deck, Token, TokenId, Value
 from maestra.rules.features import select_features
 from maestra.rules.right_plays import Placement, Placements, RightPlays, from_anywhere
-from maestra.rules.vocabulary import Level, Vocabulary
+from maestra.rules.strips.vocabulary import Level, Vocabulary
 
 BOARD: Final = Board()
 NUMBERS: Final = (19, 23, 32, 34, 36, 46, 51, 57, 63, 68)

@@ -6,8 +6,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from maestra.rules import right_rows
-from maestra.rules.right_rows import RightRows, UndecidedError
+from maestra.rules.summaries import right_rows
+from maestra.rules.summaries.right_rows import RightRows, UndecidedError
 
 TOKENS = 5
 

@@ -26,16 +26,16 @@ from maestra.rules.forms.selection import EveryToken
 from maestra.rules.forms.sources import StraightUp, from_row
 from maestra.rules.forms.timing import Filling, FillOrder
 from maestra.rules.ground_truth import ground_truth
-from maestra.rules.literals import Literal
 from maestra.rules.pairs import Named, Times, different, same
 from maestra.rules.pairs import Step as StepBy
 from maestra.rules.paper import PAPER_EXERCISES
 from maestra.rules.rule import Rule
 from maestra.rules.setting import play_of
-from maestra.rules.strips import Action
-from maestra.rules.summary import Check, Narrow, Summary, Unseen, summarise
+from maestra.rules.strips.actions import Action
+from maestra.rules.strips.literals import Literal
+from maestra.rules.strips.vocabulary import Level, Vocabulary
+from maestra.rules.summaries.summary import Check, Narrow, Summary, Unseen, summarise
 from maestra.rules.token_tests import Not, has
-from maestra.rules.vocabulary import Level, Vocabulary
 from tests.rules.lessons import Lesson, lessons
 
 LEFT_TO_RIGHT = FillOrder(Filling.LEFT_TO_RIGHT)

@@ -11,14 +11,14 @@ from functools import cached_property
 from typing import TYPE_CHECKING, Final
 
 from maestra.rules.features import FRAME
-from maestra.rules.literals import Placed
+from maestra.rules.strips.literals import Placed
 
 if TYPE_CHECKING:
     from collections.abc import Mapping, Sequence
 
     from maestra.core.board import Cell
     from maestra.core.tokens import Deck
-    from maestra.rules.strips import ActionModel
+    from maestra.rules.strips.actions import ActionModel
 
     Tokens = int
     """A set of the deck's tokens, a bit each."""

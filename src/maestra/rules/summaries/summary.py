@@ -21,18 +21,18 @@ from typing import TypeAlias
 
 from maestra.core.board import Board, Cell
 from maestra.core.tokens import Attributes, Deck
-from maestra.rules.candidates import Candidates, Chosen, GivenRow
-from maestra.rules.comparison import Wider, compare
-from maestra.rules.evidence import Bits, Evidence
 from maestra.rules.exercise import GroundedExercise
 from maestra.rules.forms.length import FullRow
 from maestra.rules.forms.timing import FillOrder
-from maestra.rules.literals import Literal
-from maestra.rules.outline import Outline
-from maestra.rules.right_rows import UndecidedError
 from maestra.rules.rule import Rule
-from maestra.rules.rule_ids import number_equal_ones, rule_ids
 from maestra.rules.setting import Mask
+from maestra.rules.strips.literals import Literal
+from maestra.rules.summaries.candidates import Candidates, Chosen, GivenRow
+from maestra.rules.summaries.comparison import Wider, compare
+from maestra.rules.summaries.evidence import Bits, Evidence
+from maestra.rules.summaries.outline import Outline
+from maestra.rules.summaries.right_rows import UndecidedError
+from maestra.rules.summaries.rule_ids import number_equal_ones, rule_ids
 
 
 class Check(Enum):

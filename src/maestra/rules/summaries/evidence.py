@@ -10,9 +10,9 @@ from typing import TypeAlias
 from maestra.core.board import Cell
 from maestra.rules.exercise import GroundedExercise
 from maestra.rules.features import FRAME
-from maestra.rules.literals import Placed
 from maestra.rules.setting import Index, Mask
-from maestra.rules.vocabulary import Vocabulary, positions
+from maestra.rules.strips.literals import Placed
+from maestra.rules.strips.vocabulary import Vocabulary, positions
 
 Bits: TypeAlias = int
 """A set of the vocabulary's literals."""

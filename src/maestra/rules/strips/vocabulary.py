@@ -24,7 +24,7 @@ from maestra.rules.features import (
     pair_feature_holds,
     token_feature_holds,
 )
-from maestra.rules.literals import Contains, Literal, Placed, Related, Shows
+from maestra.rules.strips.literals import Contains, Literal, Placed, Related, Shows
 
 if TYPE_CHECKING:
     from collections.abc import Iterable, Iterator, Mapping

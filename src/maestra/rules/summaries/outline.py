@@ -11,8 +11,8 @@ from dataclasses import dataclass
 from functools import cached_property
 
 from maestra.core.board import Board, Cell
-from maestra.rules.right_rows import RightRows, UndecidedError
 from maestra.rules.setting import Index, Mask
+from maestra.rules.summaries.right_rows import RightRows, UndecidedError
 
 
 @dataclass(frozen=True)

@@ -6,8 +6,8 @@ from maestra.core.board import Board, Cell, Column, Row
 from maestra.core.faults import InvalidError
 from maestra.core.tokens import Deck, Token, TokenId
 from maestra.rules.features import PairFeature, TokenFeature, select_features
-from maestra.rules.literals import Contains, Placed, Related, Shows
-from maestra.rules.vocabulary import Level, Vocabulary, positions
+from maestra.rules.strips.literals import Contains, Placed, Related, Shows
+from maestra.rules.strips.vocabulary import Level, Vocabulary, positions
 from tests.rules import by_definition
 from tests.rules.lessons import Lesson, lessons
 

@@ -21,8 +21,8 @@ from maestra.rules.judging import (
 )
 from maestra.rules.rule import Rule
 from maestra.rules.setting import Play, Setting
-from maestra.rules.strips import Action
-from maestra.rules.summary import Summary, Unseen
+from maestra.rules.strips.actions import Action
+from maestra.rules.summaries.summary import Summary, Unseen
 
 
 def broken_rules(summary: Summary, before: State, deck: Deck, move: Move) -> tuple[Rule, ...]:

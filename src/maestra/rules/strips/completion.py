@@ -22,8 +22,8 @@ from dataclasses import dataclass
 from enum import Enum
 from typing import TYPE_CHECKING, Final
 
-from maestra.rules.demands import Demands
-from maestra.rules.vocabulary import positions
+from maestra.rules.strips.demands import Demands
+from maestra.rules.strips.vocabulary import positions
 
 if TYPE_CHECKING:
     from collections.abc import Iterator, Mapping, Sequence
@@ -31,8 +31,8 @@ if TYPE_CHECKING:
     from maestra.core.board import Cell
     from maestra.core.state import State
     from maestra.core.tokens import Deck
-    from maestra.rules.demands import Domain, Place, Tokens
-    from maestra.rules.strips import ActionModel
+    from maestra.rules.strips.actions import ActionModel
+    from maestra.rules.strips.demands import Domain, Place, Tokens
 
 QUICK_NODES: Final = 200
 """Choices before the quick search gives way: a completion of 20 steps takes 20."""

@@ -12,15 +12,15 @@ from dataclasses import dataclass
 from functools import cached_property
 from typing import TYPE_CHECKING, Final
 
-from maestra.rules.literals import formula, symbol
+from maestra.rules.strips.literals import formula, symbol
 
 if TYPE_CHECKING:
     from collections.abc import Iterator, Mapping
 
     from maestra.core.board import Cell
     from maestra.core.tokens import Attributes
-    from maestra.rules.literals import Literal
-    from maestra.rules.vocabulary import Vocabulary
+    from maestra.rules.strips.literals import Literal
+    from maestra.rules.strips.vocabulary import Vocabulary
 
 
 @dataclass(frozen=True, slots=True)

@@ -15,7 +15,6 @@ from itertools import pairwise
 from typing import Final
 
 from maestra.core.tokens import Attributes, Scale
-from maestra.rules.evidence import Evidence
 from maestra.rules.features import PairFeature, TokenFeature, token_feature_holds
 from maestra.rules.forms.base import Direction
 from maestra.rules.forms.order import Ordered
@@ -27,6 +26,7 @@ from maestra.rules.forms.timing import Filling, FillOrder
 from maestra.rules.pairs import Named, Relation, Step, Times, different, same
 from maestra.rules.rule import Rule
 from maestra.rules.setting import Index, Mask, bits
+from maestra.rules.summaries.evidence import Evidence
 from maestra.rules.token_tests import Both, Has, Not, TokenTest
 
 _ORDERS: Final = frozenset({"less-than", "before"})

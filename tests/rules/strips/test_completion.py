@@ -7,13 +7,13 @@ from maestra.core.faults import InvalidError
 from maestra.core.state import State
 from maestra.core.tokens import Deck, Token, TokenId
 from maestra.learning.grounded import GroundedLearner
-from maestra.rules import completion
-from maestra.rules.completion import Completion, Prospect, search_states
-from maestra.rules.demands import Demands
 from maestra.rules.features import CellFeature, PairFeature, select_features
-from maestra.rules.literals import Placed, Related
-from maestra.rules.strips import Action, ActionModel
-from maestra.rules.vocabulary import Level, Vocabulary
+from maestra.rules.strips import completion
+from maestra.rules.strips.actions import Action, ActionModel
+from maestra.rules.strips.completion import Completion, Prospect, search_states
+from maestra.rules.strips.demands import Demands
+from maestra.rules.strips.literals import Placed, Related
+from maestra.rules.strips.vocabulary import Level, Vocabulary
 from tests.rules import by_definition
 from tests.rules.ascending import ascending, exercise_of, moves, paper_lesson, start
 from tests.rules.lessons import Lesson, lessons

@@ -27,7 +27,7 @@ if TYPE_CHECKING:
     from maestra.rules.right_plays import Placements
     from maestra.rules.rule import Rule
     from maestra.rules.setting import Index
-    from maestra.rules.summary import Summary
+    from maestra.rules.summaries.summary import Summary
 
 MAX_TRIED: Final = 20_000
 """Placements looked at before it is given up: some tenths of a second."""

@@ -7,10 +7,10 @@ from maestra.core.demonstration import Demonstration
 from maestra.core.state import Move, State
 from maestra.core.tokens import Deck, Token, TokenId
 from maestra.learning.grounded import learn_grounded
-from maestra.rules.accepted import accepted_plays
 from maestra.rules.paper import PAPER_EXERCISES
 from maestra.rules.right_plays import RightPlays
-from maestra.rules.summary import Step, Summary, summarise
+from maestra.rules.summaries.accepted import accepted_plays
+from maestra.rules.summaries.summary import Step, Summary, summarise
 
 SMALL = ("odd-ascending", "ascending", "descending", "curie", "letters")
 

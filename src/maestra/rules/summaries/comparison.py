@@ -6,10 +6,10 @@ from dataclasses import dataclass, field
 from functools import cached_property
 
 from maestra.core.board import Cell
-from maestra.rules.evidence import Bits, Evidence
-from maestra.rules.outline import Outline, RightMove, Rows
-from maestra.rules.right_rows import UndecidedError
 from maestra.rules.setting import Index, Mask, bits
+from maestra.rules.summaries.evidence import Bits, Evidence
+from maestra.rules.summaries.outline import Outline, RightMove, Rows
+from maestra.rules.summaries.right_rows import UndecidedError
 
 
 @dataclass(slots=True)

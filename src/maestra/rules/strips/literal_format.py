@@ -16,11 +16,11 @@ from maestra.core.formats import encode_attributes
 from maestra.core.json_faults import Expecting
 from maestra.core.tokens import Attributes, Value, expected_value
 from maestra.rules.features import CellFeature, PairFeature, TokenFeature
-from maestra.rules.literals import Contains, Literal, Placed, Related, Shows
+from maestra.rules.strips.literals import Contains, Literal, Placed, Related, Shows
 
 if TYPE_CHECKING:
     from maestra.rules.features import Feature
-    from maestra.rules.vocabulary import Vocabulary
+    from maestra.rules.strips.vocabulary import Vocabulary
 
 
 def _value(value: object) -> object:

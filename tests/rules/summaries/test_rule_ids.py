@@ -10,8 +10,8 @@ from maestra.rules.forms.selection import EveryToken
 from maestra.rules.forms.sources import StraightUp, from_row
 from maestra.rules.forms.timing import Filling, FillOrder
 from maestra.rules.rule import Rule
-from maestra.rules.rule_ids import rule_ids
 from maestra.rules.setting import Line
+from maestra.rules.summaries.rule_ids import rule_ids
 from maestra.rules.token_tests import Comparison, Either, Not, has
 
 RED, ODD = has("is-red", "colour"), has("odd", "value")

@@ -7,9 +7,17 @@ from maestra.core.board import Cell, Column, Row
 from maestra.core.state import Move
 from maestra.core.tokens import Attributes
 from maestra.rules.features import CellFeature, PairFeature, TokenFeature
-from maestra.rules.literals import Contains, Literal, Placed, Related, Shows, formula, symbol
 from maestra.rules.registry import CELL_FEATURES, CellValue
-from maestra.rules.strips import Action, ActionModel
+from maestra.rules.strips.actions import Action, ActionModel
+from maestra.rules.strips.literals import (
+    Contains,
+    Literal,
+    Placed,
+    Related,
+    Shows,
+    formula,
+    symbol,
+)
 from tests.rules import by_definition
 from tests.rules.ascending import ascending, exercise_of, paper_lesson, start
 from tests.rules.lessons import Lesson, lessons

@@ -1,0 +1,1 @@
+"""From an exercise's many preconditions to the few rules that say the same."""
