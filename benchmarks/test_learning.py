@@ -21,6 +21,7 @@ from maestra.learning.compiled_learner import CompiledLesson, learn_compiled
 from maestra.learning.grounded import GroundedLearner, learn_grounded, vocabulary_for
 from maestra.learning.planning import Limits
 from maestra.planners import PLANNERS
+from maestra.rules.exercise import GroundedExercise
 from maestra.rules.strips.vocabulary import Level
 from maestra.rules.summaries.summary import summarise
 
@@ -32,6 +33,20 @@ LIMITS = Limits(time_s=120, memory_mb=2_000)
 def test_learn_directly(benchmark: Stopwatch) -> None:
     exercise = benchmark(learn_grounded, paper_lesson(Random(1)))
     assert len(exercise.model.preconditions) == 30
+
+
+@pytest.mark.benchmark(group=TWELVE)
+def test_learn_directly_with_a_vocabulary_in_use(benchmark: Stopwatch) -> None:
+    lesson = paper_lesson(Random(1))
+    vocabulary = vocabulary_for(lesson)
+
+    def learn() -> GroundedExercise:
+        learner = GroundedLearner(vocabulary)
+        for demonstration in lesson:
+            learner.show(demonstration)
+        return learner.exercise()
+
+    assert benchmark(learn) == learn_grounded(lesson)
 
 
 @pytest.mark.benchmark(group=TWELVE)

@@ -6,7 +6,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from maestra.core.board import Board, Cell, Column, Row
-from maestra.core.tokens import Deck, Token, TokenId, Value
+from maestra.core.tokens import NAME, Attributes, Deck, Token, TokenId, Value
 from maestra.rules.features import (
     CELLS,
     DEFAULT_CELLS,
@@ -19,6 +19,7 @@ from maestra.rules.features import (
     feature_names,
     labelled_feature,
     pair_feature_holds,
+    pair_feature_table,
     select_features,
     token_feature_holds,
 )
@@ -397,3 +398,29 @@ def test_only_what_holds_both_ways_is_symmetric() -> None:
         "same",
         "different",
     ]
+
+
+@given(decks())
+def test_the_table_of_a_feature_says_of_every_pair_what_the_feature_says(deck: Deck) -> None:
+    shown = [token.attributes for token in deck.tokens]
+    features = [
+        PairFeature(name, attribute)
+        for name, definition in PAIR_FEATURES.items()
+        for attribute, scale in deck.scales.items()
+        if scale in definition.scales
+    ]
+    features += [PairFeature(name, NAME) for name in deck.relations if name not in PAIR_FEATURES]
+    for feature in features:
+        table = pair_feature_table(feature, deck, shown)
+        for first, row in zip(shown, table, strict=True):
+            said = [bool(row >> place & 1) for place in range(len(shown))]
+            assert said == [pair_feature_holds(feature, deck, first, second) for second in shown]
+
+
+def test_the_table_of_a_relation_leaves_out_tokens_without_a_name() -> None:
+    shown: list[Attributes] = [(("name", "cup"),), (("name", "saucer"),), (("value", 1),)]
+    tokens = tuple(Token(TokenId(f"{k}"), attributes) for k, attributes in enumerate(shown))
+    with_partners = Deck(tokens, relations={"partner": frozenset({("cup", "saucer")})})
+    partner = PairFeature("partner", "name")
+    assert pair_feature_table(partner, with_partners, shown) == (0b010, 0, 0)
+    assert pair_feature_table(PairFeature("same", "name"), with_partners, shown) == (1, 2, 0)

@@ -120,6 +120,35 @@ def pair_feature_holds(
     return (str(one), str(other)) in deck.relations[feature.name]
 
 
+def pair_feature_table(
+    feature: PairFeature, deck: Deck, shown: Sequence[Attributes]
+) -> tuple[int, ...]:
+    """For each of `shown` as the first, the bit set of the seconds for which `feature` is true.
+
+    The same as `pair_feature_holds` for every pair, in a fraction of the time.
+    """
+    attribute = feature.attribute
+    values = [_value(attributes, attribute) for attributes in shown]
+    places = [(1 << place, value) for place, value in enumerate(values) if value is not None]
+    if feature.name in PAIR_FEATURES:
+        test = PAIR_FEATURES[feature.name].test
+        return tuple(
+            0
+            if first is None
+            else sum(bit for bit, second in places if test(deck, attribute, first, second))
+            for first in values
+        )
+    pairs = deck.relations[feature.name]
+    return tuple(
+        sum(
+            bit
+            for bit, second in places
+            if first is not None and (str(first), str(second)) in pairs
+        )
+        for first in values
+    )
+
+
 def select_features(deck: Deck, names: Sequence[str] | None) -> tuple[Feature, ...]:
     """The features that count for `deck`: `FRAME`, then those of `names` in their order.
 

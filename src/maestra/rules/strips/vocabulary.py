@@ -21,7 +21,7 @@ from maestra.rules.features import (
     CellFeature,
     PairFeature,
     TokenFeature,
-    pair_feature_holds,
+    pair_feature_table,
     token_feature_holds,
 )
 from maestra.rules.strips.literals import Contains, Literal, Placed, Related, Shows
@@ -69,12 +69,12 @@ class Vocabulary:
         different = {token.attributes for token in self.deck.tokens}
         return tuple(sorted(different, key=self._in_order))
 
-    def _in_order(self, shown: Attributes) -> list[tuple[str, bool, Decimal, str]]:
-        ordered = [name for name, scale in self.deck.scales.items() if scale is not Scale.NOMINAL]
+    def _in_order(self, shown: Attributes) -> list[tuple[str, bool, int | Decimal, str]]:
+        scales, rank = self.deck.scales, self.deck.rank
         return [
-            (name, False, Decimal(self.deck.rank(name, value)), "")
-            if name in ordered
-            else (name, True, Decimal(0), str(value))
+            (name, True, 0, str(value))
+            if scales[name] is Scale.NOMINAL
+            else (name, False, rank(name, value), "")
             for name, value in shown
         ]
 
@@ -215,8 +215,7 @@ class Vocabulary:
         """
         known = self._patterns[moved]
         if known is None:
-            others = range(len(self.shown))
-            known = self._patterns[moved] = tuple(self._pattern(one, moved) for one in others)
+            known = self._patterns[moved] = self._work_out_patterns(moved)
         return known
 
     def holding(
@@ -297,21 +296,27 @@ class Vocabulary:
     def _patterns(self) -> list[tuple[Bits, ...] | None]:
         return [None] * len(self.shown)
 
-    def _pattern(self, other: int, moved: int) -> Bits:
-        """The literals of a block that hold because `other` lies there and `moved` is moved."""
-        there, own = self.shown[other], self.shown[moved]
-        bits = self._of_itself[other]
-        for place, literal in self._relations:
-            first, second = (own, there) if literal.converse else (there, own)
-            if pair_feature_holds(literal.feature, self.deck, first, second):
-                bits |= 1 << place
-        return bits
+    def _work_out_patterns(self, moved: int) -> tuple[Bits, ...]:
+        patterns = list(self._of_itself)
+        for place, (holds, converse) in enumerate(self._relations):
+            for other in range(len(patterns)):
+                true = holds[moved] >> other if converse else holds[other] >> moved
+                if true & 1:
+                    patterns[other] |= 1 << place
+        return tuple(patterns)
 
     @cached_property
-    def _relations(self) -> tuple[tuple[int, Related], ...]:
-        """The literals of a block that depend on what is moved, with their places."""
-        block = enumerate(self._block)
-        return tuple((place, one) for place, one in block if isinstance(one, Related))
+    def _relations(self) -> tuple[tuple[tuple[Bits, ...], bool], ...]:
+        """The first literals of a block, which depend on what is moved.
+
+        Each as the table of its feature, and whether it is the converse.
+        """
+        tables = {
+            feature: pair_feature_table(feature, self.deck, self.shown)
+            for feature in self.pair_features
+        }
+        relations = (one for one in self._block if isinstance(one, Related))
+        return tuple((tables[one.feature], one.converse) for one in relations)
 
     @cached_property
     def _of_itself(self) -> tuple[Bits, ...]:
