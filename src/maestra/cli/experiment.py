@@ -1,4 +1,4 @@
-"""`maestra experiment`: the paper's experiments, repeated."""
+"""`maestra experiment`: the paper's experiments repeated, and the few-shot learner measured."""
 
 from enum import Enum
 from typing import Annotated, Final
@@ -122,3 +122,41 @@ def curve(
         print_json(curve_json(settings, runs, points))
     else:
         print_curve(settings, points, SHOWN_AT)
+
+
+@app.command()
+def fewshot(
+    *,
+    exercises: Annotated[int, typer.Option(min=1, help="How many, drawn at random.")] = 20,
+    seed: Annotated[int, typer.Option(min=0, help="The first of their seeds.")] = 1000,
+    demonstrations: Annotated[
+        list[int] | None,
+        typer.Option(min=1, help="Show so many; may be given again.  [default: 1, 2, 3]"),
+    ] = None,
+    questions: Annotated[
+        list[int] | None,
+        typer.Option(min=0, help="Ask so many at most; may be given again.  [default: 0]"),
+    ] = None,
+    csv: CsvFile = None,
+    jobs: Annotated[int, typer.Option(help="Processes; -1 for one on each core.")] = -1,
+    as_json: Json = False,
+) -> None:
+    """Measure how often few demonstrations are enough (the learner in development)."""
+    from dataclasses import asdict
+
+    from maestra.cli.experiment_output import print_sweep
+    from maestra.cli.streams import print_json, progress, write_file
+    from maestra.experiments.fewshot_sweep import outcomes_csv, sweep
+
+    if jobs == 0:
+        raise typer.BadParameter("0 processes do nothing", param_hint="--jobs")
+    shown, asked = demonstrations or [1, 2, 3], questions or [0]
+    seeds = range(seed, seed + exercises)
+    with progress("exercises", exercises * len(shown) * len(asked)) as advance:
+        rows, outcomes = sweep(seeds, shown, asked, jobs, advance)
+    if csv is not None:
+        write_file(csv, outcomes_csv(outcomes))
+    if as_json:
+        print_json({"seed": seed, "exercises": exercises, "rows": [asdict(row) for row in rows]})
+    else:
+        print_sweep(rows)

@@ -10,6 +10,7 @@ from rich.console import Console
 from rich.table import Table
 
 from maestra.experiments.curve import Choice, CurvePoint, CurveSettings
+from maestra.experiments.fewshot_sweep import Share, SweepRow
 from maestra.experiments.table import TableRow
 
 PIPED_WIDTH: Final = 200
@@ -55,6 +56,22 @@ def print_curve(
                     *(f"{v:.1f}" for v in (point.mean, point.deviation, point.low, point.high)),
                 )
     _print(table)
+
+
+def print_sweep(rows: Iterable[SweepRow]) -> None:
+    """A line for each number of demonstrations and questions."""
+    table = Table("demonstrations", box=None, pad_edge=False)
+    for heading in ("questions", "exact", "on new decks", "learned", "of them exact"):
+        table.add_column(heading, justify="right")
+    for row in rows:
+        shares = (row.exact, row.exact_on_new_decks, row.learned, row.exact_of_learned)
+        table.add_row(f"{row.demonstrations}", f"{row.questions}", *map(_share, shares))
+    _print(table)
+
+
+def _share(share: Share) -> str:
+    """``7/20 (18-57 %)``, the interval that holds the true share with 95 % confidence."""
+    return f"{share.count}/{share.of} ({100 * share.low:.0f}-{100 * share.high:.0f} %)"
 
 
 def _print(table: Table) -> None:

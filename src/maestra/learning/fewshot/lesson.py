@@ -1,0 +1,145 @@
+"""What was learned: rules with confidence, alternatives, slips, and how sure all of it is."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from enum import Enum
+from typing import TypeAlias
+
+from maestra.core.demonstration import Demonstration
+from maestra.learning.fewshot.posterior import Atoms
+from maestra.learning.fewshot.space import Context, Words
+from maestra.rules.forms.timing import Filling
+from maestra.rules.rule import Rule
+from maestra.rules.setting import Index, Play
+
+
+class Status(Enum):
+    """What a lesson came to."""
+
+    LEARNED = "learned"
+    AMBIGUOUS = "ambiguous"
+    """Several exercises explain what was shown; questions would tell them apart."""
+    OUTSIDE = "outside"
+    """No simple rule explains it better than listing it."""
+    CONTRADICTORY = "contradictory"
+    """No exercise agrees with all that was shown and answered."""
+
+
+class Reply(Enum):
+    """What a caregiver says to a question."""
+
+    YES = "yes"
+    NO = "no"
+    UNSURE = "unsure"
+
+
+@dataclass(frozen=True, slots=True)
+class RowQuestion:
+    """Is this finished play right?"""
+
+    play: Play
+
+
+@dataclass(frozen=True, slots=True)
+class MoveQuestion:
+    """Is it right to place this token on this goal cell here?"""
+
+    position: Play
+    token: Index
+    cell: Index
+
+
+@dataclass(frozen=True, slots=True)
+class RuleQuestion:
+    """Is this rule meant?"""
+
+    rule: Rule
+
+
+Question: TypeAlias = RowQuestion | MoveQuestion | RuleQuestion
+
+
+@dataclass(frozen=True, slots=True)
+class Answer:
+    """A question and what was said to it."""
+
+    question: Question
+    reply: Reply
+
+
+@dataclass(frozen=True, slots=True)
+class Slip:
+    """A likely mistake in a demonstration."""
+
+    demonstration: int
+    """From 0."""
+    move: int
+    """From 0."""
+    confidence: float
+
+
+@dataclass(frozen=True, slots=True)
+class Hypothesis:
+    """A conjunction of rules and how likely it is that just it is meant."""
+
+    rules: tuple[Rule, ...]
+    weight: float
+
+
+@dataclass(frozen=True, slots=True)
+class Lesson:
+    """What was learned from demonstrations and answers."""
+
+    status: Status
+    rules: tuple[Rule, ...]
+    """The likeliest conjunction; of `OUTSIDE` too, where it is only a guess."""
+    confidences: tuple[float, ...]
+    """For each of the rules, how likely it is meant or follows."""
+    confidence: float
+    """In the rules as a whole."""
+    alternatives: tuple[Hypothesis, ...]
+    """Other exercises, likeliest first."""
+    slips: tuple[Slip, ...]
+    safe: tuple[Rule, ...]
+    """The safe bound: all plausible rules at once; what they accept is right for certain."""
+    demonstrations: tuple[Demonstration, ...]
+    answers: tuple[Answer, ...]
+    belief: Belief
+
+
+@dataclass(frozen=True, slots=True)
+class Class:
+    """Hypotheses that allow the same rows everywhere we look."""
+
+    atoms: tuple[int, ...]
+    bits: float
+    slip: int | None
+    words: tuple[Words, ...]
+    """The rows allowed, for each context."""
+
+
+@dataclass(frozen=True)
+class Belief:
+    """Everything the posterior rests on; for asking on."""
+
+    plays: tuple[Play, ...]
+    contexts: tuple[Context, ...]
+    atoms: Atoms
+    classes: tuple[Class, ...]
+    """Likeliest first."""
+    weights: tuple[float, ...]
+    """Of the classes; what is missing to one is `outside`."""
+    filling: tuple[tuple[Filling | None, float], ...]
+    """Orders of placement, likeliest first."""
+    outside: float
+    full: bool
+
+    def rules_of(self, one: Class) -> tuple[Rule, ...]:
+        """The rules of a class, without the length and the order of placement."""
+        return tuple(self.atoms.rules[a] for a in one.atoms)
+
+    @property
+    def asked_in(self) -> tuple[int, ...]:
+        """The contexts that rows may be asked in: the shown start and another one."""
+        return (0, len(self.contexts) - 1)

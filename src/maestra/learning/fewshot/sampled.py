@@ -1,0 +1,173 @@
+"""Rows drawn where there are too many to list, each with how many it stands for.
+
+Each proposal is a conjunction of rules about slots and pairs of slots; its rows are drawn from
+left to right, every token that the rules still allow being equally likely, so the chance of a
+row is the product of one over the numbers of choices [1]. A row from any proposal stands for
+1 / (sum over proposals of draws x chance) rows, the balance heuristic [2]: sums over drawn rows
+are unbiased, and exact in variance where one proposal is the very rule that is counted.
+
+Nothing is random: the numbers are a hash of the seed.
+
+[1] D. E. Knuth, Estimating the efficiency of backtrack programs, 1975.
+[2] E. Veach, L. J. Guibas, Optimally combining sampling techniques, SIGGRAPH 1995.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Final
+
+import numpy as np
+from numpy.typing import NDArray
+
+from maestra.learning.fewshot.space import Rows
+from maestra.rules.forms.base import EachSlot, Pairwise
+from maestra.rules.plays import NOBODY, Tokens, Truth, as_matrix, as_table
+from maestra.rules.rule import Rule
+from maestra.rules.setting import Line, Setting
+
+DRAWS: Final = 400
+"""Rows of each proposal: an estimate of a share of a half is good to 5 % (two sigma)."""
+SPREAD: Final = 1.2
+"""Weights of one packed word are at most so far apart."""
+SINGLE: Final = 12
+"""Rules that are proposals on their own."""
+PAIRED: Final = 4
+"""Rules about slots, and about pairs, of which any two are a proposal."""
+
+
+@dataclass(frozen=True, eq=False)
+class Proposal:
+    """Which token may lie on each goal cell, given those to its left."""
+
+    slots: tuple[Truth, ...]
+    """For each goal cell: by token."""
+    links: tuple[tuple[tuple[int, Truth], ...], ...]
+    """For each goal cell: earlier cells, and which tokens go with which there."""
+    gaps: bool
+    """Whether a cell may stay empty."""
+
+
+def sampled(
+    setting: Setting, rules: Sequence[Rule], shown: Sequence[Tokens], *, full: bool, seed: int
+) -> Rows:
+    """Rows from `setting`, with weights that add up to about how many there are.
+
+    Args:
+        setting: the start.
+        rules: those that are likely to be counted, the likeliest first.
+        shown: rows that must be among them; each stands at least for itself.
+        full: whether rows have no gaps.
+        seed: any number.
+    """
+    proposals = proposals_of(setting, rules, gaps=not full)
+    drawn = [draw(setting, one, DRAWS, seed + k) for k, one in enumerate(proposals)]
+    rows = np.concatenate([np.array(shown, np.int16), *drawn])
+    rows, inverse, counts = np.unique(rows, axis=0, return_inverse=True, return_counts=True)
+    chances = sum(chance(setting, one, rows) for one in proposals)
+    weight = np.maximum(counts / (DRAWS * np.maximum(chances, 1e-300)), 0.0)
+    own = np.zeros(len(rows), np.bool_)
+    own[inverse.ravel()[: len(shown)]] = True
+    weight[own] = np.clip(weight[own], 1.0, None)
+    return _in_words(rows, weight)
+
+
+def _in_words(rows: Tokens, weight: NDArray[np.float64]) -> Rows:
+    """The rows by weight, 64 of nearly the same to a packed word, which has their mean."""
+    order = np.argsort(weight, kind="stable")
+    parts: list[Tokens] = []
+    weights: list[NDArray[np.float64]] = []
+    first = 0
+    while first < len(order):
+        near = order[first : first + 64]
+        near = near[weight[near] <= SPREAD * weight[near[0]]]
+        filling = np.repeat(near[:1], 64 - len(near))
+        parts.append(rows[np.concatenate([near, filling])])
+        share = np.zeros(64)
+        share[: len(near)] = weight[near].mean()
+        weights.append(share)
+        first += len(near)
+    return Rows(np.concatenate(parts), np.concatenate(weights))
+
+
+def proposals_of(setting: Setting, rules: Sequence[Rule], *, gaps: bool) -> list[Proposal]:
+    """Anything, each of the first rules, and two by two."""
+    slots = [r for r in rules if isinstance(r, EachSlot) and r.along() is Line.ROW]
+    pairs = [r for r in rules if isinstance(r, Pairwise) and r.along() is Line.ROW]
+    singles = [r for r in rules if isinstance(r, EachSlot | Pairwise) and r.along() is Line.ROW]
+    twos = [(one, two) for one in slots[:PAIRED] for two in pairs[:PAIRED]]
+    return [
+        _proposal(setting, chosen, gaps=gaps)
+        for chosen in ((), *((rule,) for rule in singles[:SINGLE]), *twos)
+    ]
+
+
+def _proposal(setting: Setting, rules: Sequence[EachSlot | Pairwise], *, gaps: bool) -> Proposal:
+    tokens = len(setting.deck.tokens)
+    slots = [
+        as_table(setting, setting.movable, nobody=False)[:tokens].copy()
+        for _ in range(setting.length)
+    ]
+    links: list[list[tuple[int, Truth]]] = [[] for _ in range(setting.length)]
+    for rule in rules:
+        if isinstance(rule, EachSlot):
+            for cell, mask in enumerate(rule.allowed(setting)):
+                slots[cell] &= as_table(setting, mask, nobody=False)[:tokens]
+        else:
+            for i, j, masks in rule.links(setting):
+                links[j].append((i, as_matrix(setting, masks)[:, :tokens]))
+    for cell, token in enumerate(setting.given):
+        if token is not None:
+            slots[cell] = np.arange(tokens) == token
+    return Proposal(tuple(slots), tuple(map(tuple, links)), gaps)
+
+
+def _choices(proposal: Proposal, rows: Tokens, cell: int) -> Truth:
+    """For each row the tokens that may come on `cell` after what lies to its left."""
+    free = np.repeat(proposal.slots[cell][None], len(rows), axis=0)
+    for earlier in range(cell):
+        lies = rows[:, earlier]
+        there = np.flatnonzero(lies != NOBODY)
+        free[there, lies[there]] = False
+    for earlier, matrix in proposal.links[cell]:
+        free &= matrix[rows[:, earlier]]
+    return free
+
+
+def draw(setting: Setting, proposal: Proposal, number: int, seed: int) -> Tokens:
+    """Rows drawn from left to right; fewer than `number` where some came to a dead end."""
+    rows = np.full((number, setting.length), NOBODY, np.int16)
+    alive = np.ones(number, np.bool_)
+    for cell in range(setting.length):
+        free = _choices(proposal, rows, cell)
+        gap = proposal.gaps and setting.given[cell] is None
+        count = free.sum(axis=1) + gap
+        alive &= count > 0
+        which = (uniform(number, seed * 1_000 + cell) * count).astype(np.int64)
+        rank = np.cumsum(free, axis=1) - 1
+        found = (rank == which[:, None]) & free
+        rows[:, cell] = np.where(found.any(axis=1), found.argmax(axis=1), NOBODY)
+    return rows[alive]
+
+
+def chance(setting: Setting, proposal: Proposal, rows: Tokens) -> NDArray[np.float64]:
+    """How likely `draw` is to draw each row."""
+    likely = np.ones(len(rows))
+    for cell in range(setting.length):
+        free = _choices(proposal, rows, cell)
+        gap = proposal.gaps and setting.given[cell] is None
+        lies = rows[:, cell]
+        may = np.where(lies == NOBODY, gap, free[np.arange(len(rows)), lies])
+        likely *= may / np.maximum(free.sum(axis=1) + gap, 1)
+    return likely
+
+
+def uniform(number: int, seed: int) -> NDArray[np.float64]:
+    """Numbers from 0 to below 1 by hashing `seed` and their places (splitmix64)."""
+    state = np.arange(number, dtype=np.uint64) + np.uint64(seed) * np.uint64(number)
+    state = (state + np.uint64(1)) * np.uint64(0x9E3779B97F4A7C15)
+    for shift, factor in ((30, 0xBF58476D1CE4E5B9), (27, 0x94D049BB133111EB)):
+        state = (state ^ (state >> np.uint64(shift))) * np.uint64(factor)
+    state ^= state >> np.uint64(31)
+    return np.asarray((state >> np.uint64(11)) / 2.0**53, np.float64)
