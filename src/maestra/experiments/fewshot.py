@@ -24,7 +24,6 @@ from maestra.experiments.random_exercises import (
     deck_of,
     orders_for,
     sample_of,
-    start_of,
     truths,
 )
 from maestra.learning.fewshot.learner import learn
@@ -41,12 +40,14 @@ from maestra.learning.fewshot.lesson import (
 from maestra.learning.fewshot.questions import next_question
 from maestra.learning.fewshot.space import Context, Order, rows_of
 from maestra.rules.looks import lines_of
-from maestra.rules.plays import NOBODY, Tokens
+from maestra.rules.plays import NOBODY, Tokens, Truth
 from maestra.rules.rule import Rule, holding
 from maestra.rules.setting import Line, Play, Setting
 
 REPEATS: Final = 0.6
 """How often a lazy person shows the last row again."""
+SLIPS: Final = 0.15
+"""How likely a slipping person makes a mistake in a demonstration; never more than one in all."""
 FROM_THE_LEFT: Final = 0.6
 """How often people who are not asked for an order fill from the left."""
 NEARNESS: Final = 1.0
@@ -77,19 +78,28 @@ class Outcome:
     truth: str
 
 
-def demonstrate(sample: Sample, count: int) -> tuple[list[Demonstration], tuple[int, int] | None]:
-    """`count` demonstrations by the sample's person; and where the mistake is, if there is one."""
+def demonstrate(
+    sample: Sample, count: int, *, forced: bool = False
+) -> tuple[list[Demonstration], tuple[int, int] | None]:
+    """`count` demonstrations by the sample's person; and where the mistake is, if there is one.
+
+    Args:
+        sample: the exercise and the person.
+        count: how many.
+        forced: make a mistake in one of them for certain.
+    """
     rng = Random(f"{sample.seed} shows")  # noqa: S311 - what is drawn is no secret
-    start = start_of(sample.deck, sample.board, rng)
+    start = sample.start(sample.deck, rng)
     plays: list[Play] = []
     while len(plays) < count:
         if sample.moves_tokens:
-            start = start_of(sample.deck, sample.board, rng)
+            start = sample.start(sample.deck, rng)
         play = _play(sample, Setting(sample.deck, start), plays, rng)
         if play is not None:
             plays.append(play)
     slipped = None
-    if sample.person is Person.SLIPPING:
+    slips = sample.person is Person.SLIPPING and any(rng.random() < SLIPS for _ in range(count))
+    if slips or forced:
         which = rng.randrange(count)
         plays[which], move = _slip(sample, plays[which], rng)
         slipped = None if move is None else (which, move)
@@ -98,8 +108,8 @@ def demonstrate(sample: Sample, count: int) -> tuple[list[Demonstration], tuple[
 
 def _play(sample: Sample, setting: Setting, before: Sequence[Play], rng: Random) -> Play | None:
     order = _order(sample, setting, rng)
-    context = Context(setting, order, rows_of(setting, full=True))
-    right = truths(sample.truth, context)
+    context = Context(setting, order, rows_of(setting, order, full=sample.full))
+    right = truths(sample.truth, context) & _without_gaps(context)
     if not right.any():
         return None
     if sample.person is Person.LAZY and before and rng.random() < REPEATS:
@@ -113,10 +123,18 @@ def _play(sample: Sample, setting: Setting, before: Sequence[Play], rng: Random)
     return _played(setting, [int(t) for t in context.rows.row[chosen]], order)
 
 
+def _without_gaps(context: Context) -> Truth:
+    """The rows that leave no goal cell free before one that is filled: so people fill."""
+    filled = context.rows.row[:, list(context.order)] != NOBODY
+    return np.asarray((filled[:, 1:] <= filled[:, :-1]).all(axis=1))
+
+
 def _order(sample: Sample, setting: Setting, rng: Random) -> Order:
     allowed = orders_for(sample.truth, setting)
     usual: Order = tuple(range(setting.length))
     timed = any(Line.TIME in lines_of(rule) for rule in sample.truth)
+    if not sample.full:
+        return usual[::-1] if sample.person is Person.LEFT_HANDER else usual
     if sample.person is Person.LEFT_HANDER and usual[::-1] in allowed:
         return usual[::-1]
     if not timed and rng.random() < FROM_THE_LEFT:
@@ -161,7 +179,8 @@ def _shown(sample: Sample, play: Play) -> Demonstration:
 def visible(deck: Deck) -> Deck:
     """The deck without the hidden attribute."""
     tokens = [
-        Token(t.id, tuple((k, v) for k, v in t.attributes if k != HIDDEN)) for t in deck.tokens
+        Token(t.id, tuple((k, v) for k, v in t.attributes if not k.startswith(HIDDEN)))
+        for t in deck.tokens
     ]
     return Deck(tuple(tokens), deck.orders, deck.cycles, deck.relations, deck.lexicon)
 
@@ -170,13 +189,13 @@ def agrees(sample: Sample, rules: Sequence[Rule], deck: Deck, seed: str) -> bool
     """Whether `rules` and the truth say the same of many plays with `deck` from fresh starts."""
     rng = Random(seed)  # noqa: S311 - what is drawn is no secret
     for _ in range(3):
-        start = start_of(deck, sample.board, rng)
+        start = sample.start(deck, rng)
         setting = Setting(deck, start)
         shown = Setting(visible(deck), start)
-        rows = rows_of(setting, full=True)
         orders = orders_for(sample.truth, setting)
         usual: Order = tuple(range(setting.length))
         for order in dict.fromkeys((usual, usual[::-1], rng.choice(orders))):
+            rows = rows_of(setting, order, full=sample.full)
             context = Context(setting, order, rows)
             right = np.flatnonzero(truths(sample.truth, context))
             judged = _judged(setting, rows.row, right, rng)
@@ -213,7 +232,11 @@ def reply_to(sample: Sample, question: Question) -> Reply:
             after = _true(sample, position.after(token, cell))
             order = tuple(c for _, c in after.placed)
             rest = tuple(k for k in range(after.setting.length) if k not in order)
-            context = Context(after.setting, (*order, *rest), rows_of(after.setting, full=True))
+            context = Context(
+                after.setting,
+                (*order, *rest),
+                rows_of(after.setting, (*order, *rest), full=sample.full),
+            )
             right = truths(sample.truth, context)
             for cell_, lies in enumerate(after.row):
                 if lies is not None:
@@ -222,12 +245,12 @@ def reply_to(sample: Sample, question: Question) -> Reply:
         case RuleQuestion(rule):
             rng = Random(0)  # noqa: S311 - what is drawn is no secret
             for _ in range(2):
-                setting = Setting(sample.deck, start_of(sample.deck, sample.board, rng))
+                setting = Setting(sample.deck, sample.start(sample.deck, rng))
                 for order in (
                     orders_for(sample.truth, setting)[0],
                     orders_for(sample.truth, setting)[-1],
                 ):
-                    context = Context(setting, order, rows_of(setting, full=True))
+                    context = Context(setting, order, rows_of(setting, order, full=sample.full))
                     if (truths(sample.truth, context) & ~context.truth(rule)).any():
                         return Reply.NO
             return Reply.YES
@@ -246,10 +269,21 @@ def _true(sample: Sample, play: Play) -> Play:
     return again
 
 
-def trial(seed: int, count: int, *, asked: int = 0, outside: bool = False) -> Outcome:
-    """One sample shown `count` times, with at most `asked` questions, learned and judged."""
-    sample = sample_of(seed, outside=outside)
-    shown, slipped = demonstrate(sample, count)
+def trial(
+    seed: int, count: int, *, asked: int = 0, outside: bool = False, slip: bool | None = None
+) -> Outcome:
+    """One sample shown `count` times, with at most `asked` questions, learned and judged.
+
+    Args:
+        seed: of the sample.
+        count: of demonstrations.
+        asked: questions at most.
+        outside: the rule is about what the learner is not shown.
+        slip: one demonstration holds a mistake, or none does; as the person is, if not said.
+    """
+    person = None if slip is None else Person.UNIFORM
+    sample = sample_of(seed, outside=outside, person=person)
+    shown, slipped = demonstrate(sample, count, forced=bool(slip))
     lesson = learn(shown)
     answers: list[Answer] = []
     while len(answers) < asked:
@@ -265,7 +299,7 @@ def judged(
     sample: Sample, count: int, asked: int, lesson: Lesson, slipped: tuple[int, int] | None
 ) -> Outcome:
     """What came of a lesson."""
-    other = deck_of(sample.kinds, len(sample.deck.tokens), Random(f"{sample.seed} deck"))  # noqa: S311 - no secret
+    other = new_deck(sample)
     return Outcome(
         sample.seed,
         sample.family,
@@ -281,6 +315,19 @@ def judged(
         " & ".join(map(str, lesson.rules)),
         " & ".join(map(str, sample.truth)),
     )
+
+
+def new_deck(sample: Sample) -> Deck:
+    """Another deck of the same make that the exercise can be played with; else the same."""
+    rng = Random(f"{sample.seed} deck")  # noqa: S311 - what is drawn is no secret
+    for _ in range(20):
+        deck = deck_of(sample.make, rng)
+        setting = Setting(deck, sample.start(deck, rng))
+        order = orders_for(sample.truth, setting)[0]
+        context = Context(setting, order, rows_of(setting, order, full=sample.full))
+        if truths(sample.truth, context).any():
+            return deck
+    return sample.deck
 
 
 def learned_wrongly(outcome: Outcome) -> bool:

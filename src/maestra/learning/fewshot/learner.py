@@ -1,8 +1,8 @@
 """The few-shot learner: from demonstrations and answers to a lesson.
 
-The plays fix the contexts (from which start, in which order), the rules that hold of them are
-evaluated there, the search finds the conjunctions that explain them, and people's habits are
-weighed in. Learning again with one more demonstration or answer takes as long as the first time.
+The plays fix the contexts (from which start, in which order), the proposals that hold of them
+are evaluated there, the search finds the conjunctions that explain them, and people's habits are
+weighed in. What was worked out about rows of tokens is kept from one call to the next.
 """
 
 from __future__ import annotations
@@ -17,8 +17,8 @@ import numpy as np
 
 from maestra.core.demonstration import Demonstration
 from maestra.core.state import State
+from maestra.core.tokens import TokenId
 from maestra.learning.fewshot.filling import fillings
-from maestra.learning.fewshot.hypotheses import Survivor, surviving
 from maestra.learning.fewshot.lesson import (
     Answer,
     Belief,
@@ -33,22 +33,17 @@ from maestra.learning.fewshot.lesson import (
     Slip,
     Status,
 )
-from maestra.learning.fewshot.posterior import (
-    Answered,
-    Evidence,
-    Found,
-    Numbers,
-    Search,
-    evaluate,
-)
+from maestra.learning.fewshot.posterior import Answered, Evidence, Found, Numbers, Search, Truths
 from maestra.learning.fewshot.prior import (
     LAZY,
     LEARNED_AT,
     NEAREST,
     OUTSIDE_BITS,
+    OUTSIDE_YES,
     REPEATS,
     TRUST,
 )
+from maestra.learning.fewshot.proposals import Survivor, surviving
 from maestra.learning.fewshot.sampled import sampled
 from maestra.learning.fewshot.slips import wrong_move
 from maestra.learning.fewshot.space import (
@@ -66,9 +61,12 @@ from maestra.learning.fewshot.space import (
 )
 from maestra.rules.forms.length import FullRow
 from maestra.rules.forms.timing import FillOrder
-from maestra.rules.plays import NOBODY, Tokens
+from maestra.rules.plays import NOBODY, Tokens, Truth
 from maestra.rules.rule import Rule
 from maestra.rules.setting import Play, Setting, play_of
+
+PLAUSIBLE: "float" = 0.001
+"""Weight from which a hypothesis counts for the safe bound."""
 
 
 def learn(
@@ -112,10 +110,12 @@ class _Lecture:
 
     @cached_property
     def distinct(self) -> tuple[int, ...]:
-        """The plays that show a layout for the first time: equal layouts count once."""
-        seen: dict[tuple[int, tuple[int | None, ...]], int] = {}
+        """The plays that show a row for the first time: equal rows count once."""
+        seen: dict[tuple[TokenId | None, ...], int] = {}
         for k, play in enumerate(self.plays):
-            seen.setdefault((id(play.setting), play.row), k)
+            ids = [token.id for token in play.setting.deck.tokens]
+            row = tuple(None if token is None else ids[token] for token in play.row)
+            seen.setdefault(row, k)
         return tuple(seen.values())
 
     @cached_property
@@ -129,13 +129,15 @@ class _Lecture:
         return not all(usual)
 
     def _context(self, play: Play) -> Context:
-        order = _order(play) if self.timed else tuple(range(play.setting.length))
-        return Context(play.setting, order, self._rows(play.setting))
+        # With gaps the order of placement says which cells stay free.
+        usual = tuple(range(play.setting.length))
+        order = _order(play) if self.timed or not self.full else usual
+        return Context(play.setting, order, self._rows(play.setting, order))
 
-    def _rows(self, setting: Setting) -> Rows:
+    def _rows(self, setting: Setting, order: Order) -> Rows:
         """All rows from a start, or some that stand for all."""
         if how_many(setting, full=self.full) <= MAX_ROWS:
-            return rows_of(setting, full=self.full)
+            return rows_of(setting, order, full=self.full)
         key = next((known for known in self._sampled if known == setting), setting)
         if key not in self._sampled:
             fixed = [_array(play) for play in self.plays if play.setting == setting]
@@ -155,13 +157,17 @@ class _Lecture:
 
     @cached_property
     def _survivors(self) -> list[Survivor]:
-        return surviving([self.plays[k] for k in self.distinct], timed=self.timed)
+        first = [self.plays[k] for k in self.distinct]
+        again = [play for k, play in enumerate(self.plays) if k not in self.distinct]
+        found = surviving([*first, *again], timed=self.timed, slips=int(len(first) > 1))
+        # A row that is shown again, from another start, is no slip.
+        return [one for one in found if one.broken < 1 << len(first)]
 
     @cached_property
     def _likely(self) -> list[Rule]:
         """The rules that hold of all plays, the shortest first."""
         whole = [one for one in self._survivors if not one.broken]
-        return [one.rule for one in sorted(whole, key=lambda one: one.bits)]
+        return [rule for one in sorted(whole, key=lambda one: one.bits) for rule in one.rules]
 
     @cached_property
     def _contexts_and_layouts(self) -> tuple[tuple[Context, ...], list[Evidence], list[Answered]]:
@@ -179,7 +185,11 @@ class _Lecture:
         for k in self.distinct:
             play = self.plays[k]
             c = number(self._context(play))
-            layouts.append(Evidence(c, _one_row(contexts[c].rows, play)))
+            rows = contexts[c].rows
+            near = _near(rows, play)
+            layouts.append(
+                Evidence(c, _one_row(rows, play), pack(near), max(1.0, float(near.sum())))
+            )
         answered: list[Answered] = []
         for answer in self.answers:
             position = _position(answer.question)
@@ -188,28 +198,32 @@ class _Lecture:
             setting = next(
                 (c.setting for c in contexts if c.setting == position.setting), position.setting
             )
-            order = _order(position) if self.timed else tuple(range(setting.length))
-            c = number(Context(setting, order, self._rows(setting)))
-            about = Evidence(c, _matching(contexts[c].rows, position))
-            answered.append(Answered(about, answer.reply is Reply.YES))
+            usual = tuple(range(setting.length))
+            order = _order(position) if self.timed or not self.full else usual
+            c = number(Context(setting, order, self._rows(setting, order)))
+            whole = isinstance(answer.question, RowQuestion)
+            rows = _matching(contexts[c].rows, position, whole=whole)
+            answered.append(Answered(c, rows, answer.reply is Reply.YES))
         other = elsewhere(self.plays[0].setting)
-        number(Context(other, contexts[0].order, self._rows(other)))
+        # Placed the other way round, so that what is meant in time differs from the row.
+        back = contexts[0].order[::-1]
+        number(Context(other, back, self._rows(other, back)))
         return tuple(contexts), layouts, answered
 
     def lesson(self) -> Lesson:
         contexts, layouts, answered = self._contexts_and_layouts
-        atoms = evaluate(self._survivors, contexts, len(layouts) + 2 * len(answered))
+        truths = Truths(tuple(self._survivors), contexts)
+        search = Search(truths, tuple(layouts), tuple(answered))
         meant = tuple(
-            (atoms.said[a.question.rule], a.reply is Reply.YES)
+            (a.question.rule, a.reply is Reply.YES)
             for a in self.answers
             if isinstance(a.question, RuleQuestion)
-            and a.question.rule in atoms.said
+            and not isinstance(a.question.rule, FillOrder)
             and a.reply is not Reply.UNSURE
         )
-        search = Search(atoms, contexts, tuple(layouts), tuple(answered), meant)
-        classes = self._classes(search, search.best())
+        classes = self._classes(search, search.best(), meant)
         scores = np.array([one.bits for one in classes])
-        nothing = self._of_nothing(search)
+        nothing = self._of_nothing(search, meant)
         weights = np.exp2(-(scores - min([nothing, *scores])))
         unknown = float(np.exp2(-(nothing - min([nothing, *scores]))))
         total = weights.sum() + unknown
@@ -217,7 +231,7 @@ class _Lecture:
         belief = Belief(
             self.plays,
             contexts,
-            atoms,
+            truths,
             tuple(classes[k] for k in order),
             tuple(float(weights[k] / total) for k in order),
             fillings(self.plays, self.answers),
@@ -226,31 +240,46 @@ class _Lecture:
         )
         return self._told(belief)
 
-    def _classes(self, search: Search, found: list[Found]) -> list[Class]:
+    def _classes(
+        self, search: Search, found: list[Found], meant: Sequence[tuple[Rule, bool]]
+    ) -> list[Class]:
         """Hypotheses of equal truth made one, with people's habits weighed in."""
-        contexts = search.contexts
-        weights = {
-            (c, strength): contexts[c].nearness(strength)
+        truths = search.truths
+        contexts = truths.contexts
+        weights = self._nearness(search)
+        merged: dict[tuple[bytes, int | None], Class] = {}
+        for one in found:
+            words = tuple(
+                np.bitwise_and.reduce(
+                    [contexts[c].rows.everything, *(truths.of(part, c) for part in one.parts)],
+                    axis=0,
+                )
+                for c in range(len(contexts))
+            )
+            key = (b"".join(w.tobytes() for w in words), one.slip)
+            if key in merged:
+                old = merged[key]
+                both = -float(np.logaddexp2(-old.bits, -one.bits))
+                merged[key] = replace(old, bits=both)
+            else:
+                merged[key] = Class(one.parts, one.bits, one.slip, words)
+        return [
+            replace(
+                one,
+                bits=one.bits
+                + self._habits(search, one.words, weights)
+                + self._meaning(truths, one.words, meant),
+            )
+            for one in merged.values()
+        ]
+
+    def _nearness(self, search: Search) -> dict[tuple[int, float], Numbers]:
+        return {
+            (c, strength): search.truths.contexts[c].nearness(strength)
             for c in {e.context for e in search.layouts}
             for strength in NEAREST
             if strength
         }
-        merged: dict[tuple[bytes, int | None], Class] = {}
-        for one in found:
-            words = tuple(
-                np.bitwise_and.reduce(search.atoms.truth[c][list(one.atoms)], axis=0)
-                for c in range(len(contexts))
-            )
-            bits_ = one.bits + self._habits(search, words, weights)
-            bits_ += self._meaning(search, words)
-            key = (b"".join(w.tobytes() for w in words), one.slip)
-            if key not in merged:
-                merged[key] = Class(one.atoms, bits_, one.slip, words)
-            else:
-                old = merged[key]
-                both = -float(np.logaddexp2(-old.bits, -bits_))
-                merged[key] = replace(old, bits=both)
-        return list(merged.values())
 
     def _habits(
         self,
@@ -259,7 +288,7 @@ class _Lecture:
         weights: dict[tuple[int, float], Numbers],
     ) -> float:
         """Bits more or less than if all allowed plays were equally likely."""
-        contexts = search.contexts
+        contexts = search.truths.contexts
         plain = near = 0.0
         sizes: list[float] = []
         for layout in search.layouts:
@@ -282,47 +311,41 @@ class _Lecture:
             habit -= float(np.logaddexp2(usual, chance))
         return habit
 
-    def _meaning(self, search: Search, words: tuple[Words, ...]) -> float:
+    def _meaning(
+        self, truths: Truths, words: tuple[Words, ...], meant: Sequence[tuple[Rule, bool]]
+    ) -> float:
         """Bits for the answers about rules: a rule is meant when it is one, or follows."""
         total = 0.0
-        for number, yes in search.meant:
-            so = follows(words, [truth[number] for truth in search.atoms.truth])
+        for rule, yes in meant:
+            so = follows(words, [truths.of_rule(rule, c) for c in range(len(words))])
             total -= log2(TRUST if so == yes else 1 - TRUST)
         return total
 
-    def _of_nothing(self, search: Search) -> float:
-        """Bits to list what was shown, less what a hypothesis must save to be believed."""
-        everything = tuple(c.rows.everything for c in search.contexts)
-        weights = {
-            (c, s): search.contexts[c].nearness(s)
-            for c in {e.context for e in search.layouts}
-            for s in NEAREST
-            if s
-        }
-        plain = sum(log2(search.contexts[e.context].rows.size) for e in search.layouts)
-        habit = self._habits(search, everything, weights)
-        return plain + habit - OUTSIDE_BITS - len(search.answers) * log2(TRUST / 2)
+    def _of_nothing(self, search: Search, meant: Sequence[tuple[Rule, bool]]) -> float:
+        """Bits if the exercise is about something that cannot be said."""
+        contexts = search.truths.contexts
+        everything = tuple(c.rows.everything for c in contexts)
+        plain = sum(log2(contexts[e.context].rows.size) for e in search.layouts)
+        habit = self._habits(search, everything, self._nearness(search))
+        said = [answer.yes for answer in search.answers] + [yes for _, yes in meant]
+        heard = sum(log2(OUTSIDE_YES if yes else 1 - OUTSIDE_YES) for yes in said)
+        return plain + habit + OUTSIDE_BITS - heard
 
     def _told(self, belief: Belief) -> Lesson:
         filling, sure = belief.filling[0]
         length: tuple[Rule, ...] = (FullRow(),) if belief.full else ()
         order: tuple[Rule, ...] = () if filling is None else (FillOrder(filling),)
-        if not belief.classes:
+        best = belief.classes[0]
+        rules = belief.rules_of(best)
+        mass: dict[tuple[bytes, ...], float] = {}
+        for one, weight in zip(belief.classes, belief.weights, strict=True):
+            key = tuple(w.tobytes() for w in one.words)
+            mass[key] = mass.get(key, 0.0) + weight
+        confidence = sure * mass[tuple(w.tobytes() for w in best.words)]
+        sures = tuple(self._sure(belief, rule) for rule in rules)
+        status = Status.LEARNED if confidence >= LEARNED_AT else Status.AMBIGUOUS
+        if belief.outside > 1 / 2 and len(self.distinct) > 1:
             status = Status.OUTSIDE
-            rules: tuple[Rule, ...] = ()
-            confidence = 0.0
-            sures: tuple[float, ...] = ()
-        else:
-            rules = belief.rules_of(belief.classes[0])
-            mass: dict[tuple[bytes, ...], float] = {}
-            for one, weight in zip(belief.classes, belief.weights, strict=True):
-                key = tuple(w.tobytes() for w in one.words)
-                mass[key] = mass.get(key, 0.0) + weight
-            confidence = sure * mass[tuple(w.tobytes() for w in belief.classes[0].words)]
-            sures = tuple(self._sure(belief, a) for a in belief.classes[0].atoms)
-            status = Status.LEARNED if confidence >= LEARNED_AT else Status.AMBIGUOUS
-            if belief.outside > belief.weights[0] and len(self.distinct) > 1:
-                status = Status.OUTSIDE
         if _contradict(self.answers):
             status = Status.CONTRADICTORY
         alternatives = tuple(
@@ -342,22 +365,28 @@ class _Lecture:
             belief,
         )
 
-    def _sure(self, belief: Belief, atom: int) -> float:
+    def _sure(self, belief: Belief, rule: Rule) -> float:
         """The weight of the hypotheses from which a rule follows."""
+        truth = [belief.truths.of_rule(rule, c) for c in range(len(belief.contexts))]
         return sum(
             weight
             for one, weight in zip(belief.classes, belief.weights, strict=True)
-            if follows(one.words, [truth[atom] for truth in belief.atoms.truth])
+            if follows(one.words, truth)
         )
 
     def _bound(self, belief: Belief) -> tuple[Rule, ...]:
-        """All rules that some plausible hypothesis has, each once."""
-        plausible = 0.01
-        used: dict[int, None] = {}
+        """All rules that some plausible hypothesis has, without those that follow from others."""
+        used: dict[Rule, None] = {}
+        words: list[Words] = [c.rows.everything for c in belief.contexts]
         for one, weight in zip(belief.classes, belief.weights, strict=True):
-            if weight >= plausible:
-                used.update(dict.fromkeys(one.atoms))
-        return tuple(belief.atoms.rules[a] for a in used)
+            if weight < PLAUSIBLE or one.slip != belief.classes[0].slip:
+                continue
+            for rule in belief.rules_of(one):
+                truth = [belief.truths.of_rule(rule, c) for c in range(len(words))]
+                if not follows(words, truth):
+                    used[rule] = None
+                    words = [w & t for w, t in zip(words, truth, strict=True)]
+        return tuple(used)
 
     def _slips(self, belief: Belief) -> tuple[Slip, ...]:
         """Layouts that are likelier a slip than not, and the move that is wrong."""
@@ -369,8 +398,7 @@ class _Lecture:
                 if one.slip == k
             ]
             likely = sum(weight for _, weight in mine)
-            even = 0.5
-            if likely > even:
+            if likely > 1 / 2:
                 rules = belief.rules_of(mine[0][0])
                 found.append(Slip(number, wrong_move(rules, self.plays[number]), likely))
         return tuple(found)
@@ -411,12 +439,22 @@ def _one_row(rows: Rows, play: Play) -> Words:
     return pack(truth)
 
 
-def _matching(rows: Rows, position: Play) -> Words:
-    """The rows that have every token of the position in its place."""
+def _near(rows: Rows, play: Play) -> Truth:
+    """The rows with one token in another's stead, or two in each other's place."""
+    row = _array(play)
+    alike = rows.row == row
+    same = alike.sum(axis=1)
+    length = len(row)
+    swapped = (same == length - 2) & np.isin(rows.row, row).all(axis=1)
+    return np.asarray(((same == length - 1) | swapped) & rows.real)
+
+
+def _matching(rows: Rows, position: Play, *, whole: bool) -> Words:
+    """The rows that have every token of the position in its place; only its own if `whole`."""
     truth = rows.real.copy()
     for cell, token in enumerate(position.row):
-        if token is not None:
-            truth &= rows.row[:, cell] == token
+        if token is not None or whole:
+            truth &= rows.row[:, cell] == (NOBODY if token is None else token)
     return pack(truth)
 
 

@@ -7,7 +7,7 @@ from enum import Enum
 from typing import TypeAlias
 
 from maestra.core.demonstration import Demonstration
-from maestra.learning.fewshot.posterior import Atoms
+from maestra.learning.fewshot.posterior import Truths
 from maestra.learning.fewshot.space import Context, Words
 from maestra.rules.forms.timing import Filling
 from maestra.rules.rule import Rule
@@ -112,7 +112,7 @@ class Lesson:
 class Class:
     """Hypotheses that allow the same rows everywhere we look."""
 
-    atoms: tuple[int, ...]
+    parts: tuple[int, ...]
     bits: float
     slip: int | None
     words: tuple[Words, ...]
@@ -125,7 +125,7 @@ class Belief:
 
     plays: tuple[Play, ...]
     contexts: tuple[Context, ...]
-    atoms: Atoms
+    truths: Truths
     classes: tuple[Class, ...]
     """Likeliest first."""
     weights: tuple[float, ...]
@@ -137,7 +137,8 @@ class Belief:
 
     def rules_of(self, one: Class) -> tuple[Rule, ...]:
         """The rules of a class, without the length and the order of placement."""
-        return tuple(self.atoms.rules[a] for a in one.atoms)
+        rules = (rule for p in one.parts for rule in self.truths.survivors[p].rules)
+        return tuple(dict.fromkeys(rules))
 
     @property
     def asked_in(self) -> tuple[int, ...]:

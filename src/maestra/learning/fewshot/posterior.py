@@ -1,16 +1,17 @@
-"""Which conjunctions of rules explain what was shown: a beam search over all that hold.
+"""Which conjunctions of proposals explain what was shown.
 
-The score of a hypothesis is in bits, the fewer the better: what it takes to say its rules and,
-for each layout shown, the logarithm of how many it allows. Rules with the same truth everywhere
-are one; a rule that follows from the others never joins them. Hypotheses that take one
-demonstration for a slip are searched for as well, once for each demonstration.
+The score of a hypothesis is in bits, the fewer the better: what it takes to say its proposals
+and, for each layout shown, the logarithm of how many layouts it allows (the size principle).
+Every proposal and every pair of them is scored on an even sample of the rows; whatever may be
+among the best is then scored exactly, and the best are made longer. Hypotheses that take one
+demonstration for a slip are searched for in the same way, once for each demonstration.
 
-Cost: O(levels x beam x rules x rows / 64) after each rule was evaluated once on the rows.
+Cost: O(proposals^2 x sample / 64 + candidates x rows / 64) words.
 """
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
 from math import inf, log2
@@ -19,280 +20,327 @@ from typing import Final
 import numpy as np
 from numpy.typing import NDArray
 
-from maestra.learning.fewshot.hypotheses import Survivor
-from maestra.learning.fewshot.prior import SLIP, TRUST
-from maestra.learning.fewshot.space import Context, Words, looks_at_start, pack, shared, size_of
+from maestra.learning.fewshot.prior import CROWD_BITS, FREE_BITS, SLIP, TRUST, and_bits
+from maestra.learning.fewshot.proposals import Survivor
+from maestra.learning.fewshot.space import Context, Rows, Words, looks_at_start, pack, shared
 from maestra.rules.looks import lines_of
 from maestra.rules.rule import Rule
 from maestra.rules.setting import Line
 
-BEAM: Final = 40
-"""Conjunctions that are made longer at each length."""
-LENGTH: Final = 4
-"""Rules of a conjunction at most."""
-LOOKED_AT: Final = 800
-"""Of the conjunctions of one length, best first."""
+SAMPLE: Final = 2048
+"""Rows on which all proposals and pairs are looked at first."""
+PAIRED: Final = 160
+"""Proposals that are paired with each other, those first that explain most alone."""
+CANDIDATES: Final = 140
+"""Hypotheses of one and two proposals that are scored exactly."""
+BEAM: Final = 24
+"""Conjunctions that are made longer."""
 KEPT: Final = 150
 """Hypotheses that are looked at closely."""
-WITHIN: Final = 14.0
-"""Bits from the best beyond which a hypothesis is forgotten: one in 16,000."""
-HOPELESS: Final = 8.0
-"""Bits that a rule may cost more than it saves: even with others it will not be believed."""
-EDITS: Final = 35
-"""Ways to make one mistake in a row of five: the likelihood of a slip is shared among them."""
-
-SAMPLE: Final = 400
-"""Rows on which a rule is looked at first."""
-
+LENGTH: Final = 4
+"""Proposals of a hypothesis at most."""
+WITHIN: Final = 12.0
+"""Bits from the best beyond which a hypothesis is forgotten: one in 4,000."""
 Numbers = NDArray[np.float64]
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Evidence:
-    """A layout shown or asked about: in which context, and which of its rows."""
+    """A layout that was shown: in which context, and which of its rows."""
 
     context: int
     rows: Words
-    """The row, or all rows that a move leaves open."""
+    near: Words
+    """The rows from which one mistake leads to a layout shown."""
+    mistakes: float
+    """How many such rows there are: the likelihood of a slip is shared among them."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Answered:
     """What a caregiver said of rows: whether one of them is right."""
 
-    about: Evidence
+    context: int
+    rows: Words
+    """The row, or all rows that a move leaves open."""
     yes: bool
 
 
 @dataclass(frozen=True, slots=True)
 class Found:
-    """A conjunction by the numbers of its rules, what it costs, and which layout is a slip."""
+    """A conjunction by the numbers of its proposals, what it costs, and which layout is a slip."""
 
-    atoms: tuple[int, ...]
+    parts: tuple[int, ...]
     bits: float
     slip: int | None = None
 
 
 @dataclass(frozen=True, eq=False)
-class Atoms:
-    """Rules with their truth in each context; rules of equal truth and breaches are one."""
+class Truths:
+    """Proposals with their truth in each context, worked out when it is asked for."""
 
-    rules: tuple[Rule, ...]
+    survivors: tuple[Survivor, ...]
+    contexts: tuple[Context, ...]
+    _known: dict[tuple[object, ...], Words] = field(default_factory=dict[tuple[object, ...], Words])
+
+    def of(self, part: int, context: int) -> Words:
+        """The rows of a context that a proposal allows."""
+        return self._of(part, context, coarse=False)
+
+    def coarse(self, part: int, context: int) -> Words:
+        """The same of some rows only."""
+        return self._of(part, context, coarse=True)
+
+    def of_rule(self, rule: Rule, context: int) -> Words:
+        """The rows of a context that a rule allows."""
+        return self._rule(rule, self.contexts[context])
+
+    def _of(self, part: int, context: int, *, coarse: bool) -> Words:
+        """Worked out once for the contexts that cannot differ."""
+        key = (part, coarse, self._same[self._looks[part]][context])
+        if key not in self._known:
+            where = self.contexts[context]
+            where = where.some(SAMPLE) if coarse else where
+            rules = self.survivors[part].rules
+            self._known[key] = np.bitwise_and.reduce([self._rule(rule, where) for rule in rules])
+        return self._known[key]
+
+    def _rule(self, rule: Rule, context: Context) -> Words:
+        key = (rule, id(context.rows), context.order, id(context.setting))
+        if key not in self._known:
+            self._known[key] = pack(context.truth(rule))
+        return self._known[key]
+
+    @cached_property
+    def _looks(self) -> list[tuple[bool, bool]]:
+        """Of each proposal, whether it looks at the order in time, and at the start."""
+        return [
+            (
+                any(Line.TIME in lines_of(rule) for rule in one.rules),
+                any(looks_at_start(rule) for rule in one.rules),
+            )
+            for one in self.survivors
+        ]
+
+    @cached_property
+    def _same(self) -> dict[tuple[bool, bool], list[int]]:
+        """For each way to look, to each context the first one that is the same to it."""
+        same: dict[tuple[bool, bool], list[int]] = {}
+        for timed in (False, True):
+            for started in (False, True):
+                keys = [
+                    (
+                        id(c.rows),
+                        c.order if timed else None,
+                        id(c.setting) if started else id(c.setting.deck),
+                    )
+                    for c in self.contexts
+                ]
+                same[timed, started] = [keys.index(key) for key in keys]
+        return same
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Frontier:
+    """Conjunctions, the rows each allows in every context, and their scores."""
+
+    parts: list[tuple[int, ...]]
+    words: list[Words]
     bits: Numbers
-    broken: NDArray[np.int64]
-    truth: tuple[Words, ...]
-    """For each context: rules x words."""
-    said: dict[Rule, int] = field(default_factory=dict[Rule, int])
-    """For each rule, also one that was merged into another, its number."""
 
-
-def evaluate(survivors: Sequence[Survivor], contexts: Sequence[Context], shown: int) -> Atoms:
-    """The rules that say anything, each once, the shortest first, with their truth.
-
-    Args:
-        survivors: rules that hold of what was shown.
-        contexts: where their truth is worked out.
-        shown: how many layouts were shown. A rule that would cost much more than it could save
-            on so many is left out; a sample of the rows is enough to see that.
-    """
-    few = [context.some(SAMPLE) for context in contexts]
-    priced = sorted((one.bits, k) for k, one in enumerate(survivors))
-    kept: list[int] = []
-    number: dict[bytes, int] = {}
-    said: dict[Rule, int] = {}
-    truths: list[list[Words]] = [[] for _ in contexts]
-    bits_: list[float] = []
-    for cost, k in priced:
-        rule, broken = survivors[k].rule, survivors[k].broken
-        saved = (shown - bool(broken)) * _saving(_everywhere(rule, few), few)
-        if cost + (log2(EDITS) - log2(SLIP) if broken else 0.0) - saved > HOPELESS:
-            continue
-        truth = _everywhere(rule, contexts)
-        if all(_is_full(t, c) for t, c in zip(truth, contexts, strict=True)):
-            continue
-        key = broken.to_bytes(8, "little") + b"".join(t.tobytes() for t in truth)
-        if key not in number:
-            number[key] = len(kept)
-            kept.append(k)
-            bits_.append(cost)
-            for one, words in zip(truths, truth, strict=True):
-                one.append(words)
-        else:
-            # Several ways to say the same make it likelier.
-            at = number[key]
-            bits_[at] = -float(np.logaddexp2(-bits_[at], -cost))
-        said[rule] = number[key]
-    return Atoms(
-        tuple(survivors[k].rule for k in kept),
-        np.array(bits_),
-        np.array([survivors[k].broken for k in kept], np.int64),
-        tuple(
-            np.array(one, np.uint64).reshape(len(kept), len(c.rows.everything))
-            for one, c in zip(truths, contexts, strict=True)
-        ),
-        said,
-    )
-
-
-def _saving(truth: Sequence[Words], contexts: Sequence[Context]) -> float:
-    """Bits that a rule saves on a layout, in the context where it saves most."""
-    allowed = min(size_of(t, c.rows) / c.rows.size for t, c in zip(truth, contexts, strict=True))
-    return -log2(max(allowed, 1 / SAMPLE))
-
-
-def _is_full(words: Words, context: Context) -> bool:
-    return bool((words == context.rows.everything).all())
-
-
-def _everywhere(rule: Rule, contexts: Sequence[Context]) -> list[Words]:
-    """The truth in each context; worked out once for those that cannot differ."""
-    timed = Line.TIME in lines_of(rule)
-    started = looks_at_start(rule)
-    known: dict[tuple[object, ...], Words] = {}
-    found: list[Words] = []
-    for context in contexts:
-        key = (
-            id(context.rows),
-            context.order if timed else None,
-            id(context.setting) if started else id(context.setting.deck),
+    def best(self, number: int) -> Frontier:
+        """So many of the best."""
+        order = np.argsort(self.bits, kind="stable")[:number]
+        order = order[self.bits[order] < inf]
+        return Frontier(
+            [self.parts[k] for k in order], [w[order] for w in self.words], self.bits[order]
         )
-        if key not in known:
-            known[key] = pack(context.truth(rule))
-        found.append(known[key])
-    return found
 
 
 @dataclass(frozen=True, eq=False)
 class Search:
     """A search for the conjunctions that explain layouts and answers best."""
 
-    atoms: Atoms
-    contexts: tuple[Context, ...]
+    truths: Truths
     layouts: tuple[Evidence, ...]
     """The different layouts that were shown."""
     answers: tuple[Answered, ...] = ()
-    meant: tuple[tuple[int, bool], ...] = ()
-    """Rules by number that the caregiver said are meant, or are not."""
+
+    @cached_property
+    def needed(self) -> tuple[int, ...]:
+        """The contexts that layouts and answers are in."""
+        seen = [e.context for e in self.layouts] + [a.context for a in self.answers]
+        return tuple(dict.fromkeys(seen))
+
+    @cached_property
+    def _times(self) -> dict[int, int]:
+        """How many layouts were shown in each context."""
+        times = dict.fromkeys(self.needed, 0)
+        for layout in self.layouts:
+            times[layout.context] += 1
+        return times
 
     def best(self) -> list[Found]:
         """The best conjunctions, best first, none worse than `WITHIN` bits than the best."""
-        found: dict[tuple[tuple[int, ...], int | None], float] = {}
-        for slip in (None, *self._suspects):
-            for atoms, bits_ in self._beam(slip):
-                found[atoms, slip] = bits_
-        ranked = sorted((bits_, atoms, slip) for (atoms, slip), bits_ in _keyed(found))
-        limit = ranked[0][0] + WITHIN if ranked else inf
-        return [
-            Found(atoms, bits_, None if slip < 0 else slip)
-            for bits_, atoms, slip in ranked[:KEPT]
-            if bits_ <= limit
-        ]
+        found = self._explaining(None, inf)
+        for slip in self._suspects:
+            found += self._explaining(slip, min(one.bits for one in found))
+        found.sort(key=lambda one: one.bits)
+        return [one for one in found[:KEPT] if one.bits <= found[0].bits + WITHIN]
 
     @cached_property
     def _suspects(self) -> tuple[int, ...]:
-        """The layouts that some rule breaks alone, if there are enough others."""
-        few = 3
+        """The layouts that some proposal breaks alone, if there are others."""
+        broken = {one.broken for one in self.truths.survivors}
+        few = 2
         if len(self.layouts) < few:
             return ()
-        return tuple(k for k in range(len(self.layouts)) if (self.atoms.broken == 1 << k).any())
+        return tuple(k for k in range(len(self.layouts)) if 1 << k in broken)
 
-    def _beam(self, slip: int | None) -> list[tuple[tuple[int, ...], float]]:
-        broken = 0 if slip is None else 1 << slip
-        usable = np.flatnonzero((self.atoms.broken & ~broken) == 0)
-        if not len(usable):
+    def _explaining(self, slip: int | None, known: float) -> list[Found]:
+        """The conjunctions of which just layout `slip` is no case; better ones are `known`."""
+        allowed = 0 if slip is None else 1 << slip
+        survivors = self.truths.survivors
+        usable = [k for k, one in enumerate(survivors) if not one.broken & ~allowed]
+        candidates = list(self._candidates(usable, slip, known))
+        if not candidates:
             return []
-        found: dict[tuple[int, ...], float] = {}
-        contexts = self._needed
-        frontier: list[tuple[tuple[int, ...], list[Words], Numbers]] = [
-            (
-                (),
-                [self.contexts[c].rows.everything for c in contexts],
-                np.array([self.contexts[c].rows.size for c in contexts]),
-            )
+        involved = sorted({part for parts in candidates for part in parts})
+        truths = [
+            np.array([self.truths.of(p, c) for p in involved], np.uint64) for c in self.needed
         ]
-        truths = [self.atoms.truth[c][usable] for c in contexts]
-        for _ in range(LENGTH):
-            frontier = self._longer(slip, usable, truths, frontier, found)
-            if not frontier:
+        place = {part: k for k, part in enumerate(involved)}
+        nothing = [self.truths.contexts[c].rows.everything for c in self.needed]
+        words = [
+            np.array(
+                [np.bitwise_and.reduce([all_, *(t[place[p]] for p in parts)]) for parts in candidates]
+            )
+            for t, all_ in zip(truths, nothing, strict=True)
+        ]
+        frontier = self._scored(candidates, words, slip)
+        found = dict(zip(frontier.parts, frontier.bits.tolist(), strict=True))
+        for _ in range(LENGTH - 2):
+            frontier = self._longer(frontier.best(BEAM), involved, truths, slip, found)
+            if not frontier.parts:
                 break
-        if slip is not None:
-            return [
-                (atoms, bits_)
-                for atoms, bits_ in found.items()
-                if any(self.atoms.broken[a] for a in atoms)
-            ]
-        return list(found.items())
-
-    @cached_property
-    def _needed(self) -> tuple[int, ...]:
-        """The contexts that layouts and answers are in."""
-        seen = [e.context for e in self.layouts] + [a.about.context for a in self.answers]
-        return tuple(dict.fromkeys(seen))
+            found.update(zip(frontier.parts, frontier.bits.tolist(), strict=True))
+        return [
+            Found(parts, bits, slip)
+            for parts, bits in found.items()
+            if bits < inf and (slip is None or any(survivors[p].broken for p in parts))
+        ]
 
     def _longer(
         self,
+        frontier: Frontier,
+        involved: Sequence[int],
+        truths: Sequence[Words],
         slip: int | None,
-        usable: NDArray[np.intp],
-        truths: list[Words],
-        frontier: list[tuple[tuple[int, ...], list[Words], Numbers]],
         found: dict[tuple[int, ...], float],
-    ) -> list[tuple[tuple[int, ...], list[Words], Numbers]]:
-        sizes_of: list[list[Numbers]] = []
-        scores = np.full((len(frontier), len(usable)), inf)
-        for f, (atoms, words, sizes) in enumerate(frontier):
-            counts = [
-                shared(one, truth, self.contexts[c].rows.word_weight)
-                for one, truth, c in zip(words, truths, self._needed, strict=True)
-            ]
-            sizes_of.append(counts)
-            smaller = np.zeros(len(usable), np.bool_)
-            for count, size in zip(counts, sizes, strict=True):
-                smaller |= count < size * (1 - 1e-9)
-            score = sum(self.atoms.bits[a] for a in atoms) + self.atoms.bits[usable]
-            score = score + self._explaining(slip, counts) + self._agreeing(words, truths)
-            scores[f] = np.where(smaller, score, inf)
-        longer: list[tuple[tuple[int, ...], list[Words], Numbers]] = []
-        best = min([*found.values(), scores.min()])
-        seen: set[tuple[int, ...]] = set()
-        for flat in np.argsort(scores, axis=None)[:LOOKED_AT]:
-            f, u = divmod(int(flat), len(usable))
-            if scores[f, u] == inf or (len(longer) >= BEAM and scores[f, u] > best + WITHIN):
-                break
-            key = tuple(sorted((*frontier[f][0], int(usable[u]))))
-            if key in seen:
-                continue
-            seen.add(key)
-            if scores[f, u] <= best + WITHIN:
-                found[key] = float(scores[f, u])
-            if len(longer) < BEAM:
-                words = [one & t[u] for one, t in zip(frontier[f][1], truths, strict=True)]
-                sizes = np.array([counts[u] for counts in sizes_of[f]])
-                longer.append((key, words, sizes))
-        return longer
+    ) -> Frontier:
+        """The conjunctions of the frontier with one more proposal each that says more."""
+        limit = min(found.values()) + WITHIN
+        keys: list[tuple[int, ...]] = []
+        words: list[list[Words]] = [[] for _ in self.needed]
+        for k, parts in enumerate(frontier.parts):
+            mine = [w[k] for w in frontier.words]
+            both = [w & t for w, t in zip(mine, truths, strict=True)]
+            less = np.zeros(len(involved), np.bool_)
+            for w, longer in zip(mine, both, strict=True):
+                less |= (longer != w).any(axis=1)
+            for place in np.flatnonzero(less):
+                key = tuple(sorted((*parts, involved[place])))
+                if key not in found and self._prior(key) < limit:
+                    found[key] = inf
+                    keys.append(key)
+                    for w, longer in zip(words, both, strict=True):
+                        w.append(longer[place])
+        return self._scored(keys, [np.array(w, np.uint64) for w in words], slip)
 
-    def _explaining(self, slip: int | None, counts: list[Numbers]) -> Numbers:
-        """Bits to name each layout among those allowed."""
-        logs = [np.where(n > 0, np.log2(np.maximum(n, 1)), inf) for n in counts]
-        total = np.zeros_like(logs[0])
+    def _candidates(
+        self, usable: Sequence[int], slip: int | None, known: float
+    ) -> Iterator[tuple[int, ...]]:
+        """Nothing, single proposals and pairs that may be among the best, by the sample."""
+        if slip is None:
+            yield ()
+        if not usable:
+            return
+        survivors = self.truths.survivors
+        own = np.array([survivors[p].bits for p in usable])
+        coarse = [
+            np.array([self.truths.coarse(p, c) for p in usable], np.uint64) for c in self.needed
+        ]
+        nothing = [self._some(c).everything for c in self.needed]
+        single = own + CROWD_BITS[1] + self._coarse_bits([n[None] for n in nothing], coarse)[0]
+        order = np.argsort(single - 0.5 * own, kind="stable")[:PAIRED]
+        few = [one[order] for one in coarse]
+        together = self._coarse_bits(few, few)
+        added = np.array([survivors[usable[k]].added for k in order])
+        pair = own[order][:, None] + own[order][None] + CROWD_BITS[2] + together
+        both = np.maximum(added[:, None], added[None])
+        pair += added[:, None] + added[None] - np.maximum(both, 0.0)
+        ones, twos = np.triu_indices(len(order), 1)
+        score = pair[ones, twos]
+        # A pair in which one of the two says nothing more is no pair.
+        alone = np.diagonal(together)
+        idle = together[ones, twos] >= np.minimum(alone[ones], alone[twos]) - 1e-9
+        score = np.where(idle, inf, score)
+        everything = np.concatenate([single, score])
+        if slip is not None:
+            everything -= log2(SLIP)
+        best = min(known, everything.min())
+        for k in np.argsort(everything, kind="stable")[:CANDIDATES]:
+            if everything[k] > best + WITHIN:
+                return
+            if k < len(single):
+                yield (usable[k],)
+            else:
+                a, b = order[ones[k - len(single)]], order[twos[k - len(single)]]
+                yield tuple(sorted((usable[a], usable[b])))
+
+    def _some(self, context: int) -> Rows:
+        return self.truths.contexts[context].some(SAMPLE).rows
+
+    def _coarse_bits(self, ones: list[Words], others: list[Words]) -> Numbers:
+        """Bits to name each layout among those that two proposals both allow, by the sample."""
+        total = np.zeros((len(ones[0]), len(others[0])))
+        for c, one, other in zip(self.needed, ones, others, strict=True):
+            some = self._some(c)
+            counts = np.array([shared(words, other, some.word_weight) for words in one])
+            scale = self.truths.contexts[c].rows.size / some.size
+            # What no row of the sample shows may still be a third of one.
+            total += self._times[c] * np.log2(np.maximum(counts * scale, max(0.3 * scale, 1.0)))
+        return total
+
+    def _prior(self, parts: Sequence[int]) -> float:
+        if not parts:
+            return FREE_BITS
+        mine = [self.truths.survivors[p] for p in parts]
+        return sum(one.bits for one in mine) + and_bits([one.added for one in mine])
+
+    def _scored(
+        self, parts: list[tuple[int, ...]], words: list[Words], slip: int | None
+    ) -> Frontier:
+        """The conjunctions with their scores, given the rows they allow in each context."""
+        if not parts:
+            return Frontier([], words, np.zeros(0))
+        rows = [self.truths.contexts[c].rows for c in self.needed]
+        weights = [one.word_weight for one in rows]
+        everything = [one.everything for one in rows]
+        bits_ = np.array([self._prior(one) for one in parts])
+        sizes = [
+            np.log2(np.maximum(shared(all_, w, weight), 1e-9))
+            for w, all_, weight in zip(words, everything, weights, strict=True)
+        ]
         for k, layout in enumerate(self.layouts):
-            total += logs[self._needed.index(layout.context)]
+            at = self.needed.index(layout.context)
+            bits_ += np.where(sizes[at] < 0, inf, sizes[at])
             if k == slip:
-                total += log2(EDITS) - log2(SLIP)
-        return total
-
-    def _agreeing(self, words: list[Words], truths: list[Words]) -> Numbers:
-        """Bits for the answers: few where they are as the hypothesis says."""
-        total = np.zeros(len(truths[0]))
+                near = shared(layout.near, words[at], weights[at])
+                likely = np.log2(np.maximum(near, 1e-9)) + log2(SLIP / layout.mistakes)
+                bits_ += np.where(near < 1, inf, -likely)
         for answer in self.answers:
-            c = self._needed.index(answer.about.context)
-            some = np.flatnonzero(answer.about.rows)
-            mine = words[c][some] & answer.about.rows[some]
-            says = (truths[c][:, some] & mine).any(axis=1)
-            total += np.where(says == answer.yes, -log2(TRUST), -log2(1 - TRUST))
-        return total
-
-
-def _keyed(
-    found: dict[tuple[tuple[int, ...], int | None], float],
-) -> list[tuple[tuple[tuple[int, ...], int], float]]:
-    return [((atoms, -1 if slip is None else slip), v) for (atoms, slip), v in found.items()]
+            at = self.needed.index(answer.context)
+            says = (words[at] & answer.rows).any(axis=1)
+            bits_ -= np.where(says == answer.yes, log2(TRUST), log2(1 - TRUST))
+        return Frontier(parts, words, bits_)

@@ -148,12 +148,10 @@ def _rules(lesson: Lesson, kinds: Collection[QuestionKind]) -> Iterator[_Candida
     belief = lesson.belief
     weights = _weights(belief)
     considered = belief.classes[:CONSIDERED]
-    for atom in dict.fromkeys(a for one in considered for a in one.atoms):
-        yes = np.array(
-            [follows(one.words, [t[atom] for t in belief.atoms.truth]) for one in considered]
-        )
+    for rule in dict.fromkeys(r for one in considered for r in belief.rules_of(one)):
+        truth = [belief.truths.of_rule(rule, c) for c in range(len(belief.contexts))]
+        yes = np.array([follows(one.words, truth) for one in considered])
         worth = float(information(np.array(weights @ yes)))
-        rule = belief.atoms.rules[atom]
         yield _Candidate(worth / EFFORT[QuestionKind.RULE], RuleQuestion(rule))
     for filling, share in belief.filling:
         if filling is not None:

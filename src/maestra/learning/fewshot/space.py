@@ -10,8 +10,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property, lru_cache
-from itertools import combinations
-from math import comb, perm
+from math import perm
 from typing import Final, TypeAlias
 
 import numpy as np
@@ -108,27 +107,31 @@ def how_many(setting: Setting, *, full: bool) -> int:
     free, tokens = setting.given.count(None), setting.movable.bit_count()
     if full:
         return perm(tokens, free)
-    return sum(comb(free, k) * perm(tokens, k) for k in range(free + 1))
+    return sum(perm(tokens, k) for k in range(free + 1))
 
 
-def rows_of(setting: Setting, *, full: bool) -> Rows:
-    """The rows that can be played from a start; only those without gaps if `full`."""
-    return listed(setting.given, setting.movable, full=full)
+def rows_of(setting: Setting, order: Order, *, full: bool) -> Rows:
+    """The rows that can be played from a start; only those without gaps if `full`.
+
+    Otherwise those that fill the free goal cells one after the other in `order`: people leave
+    no gap on the way, and a rule that means some is beyond what anybody teaches.
+    """
+    return listed(setting.given, setting.movable, None if full else order)
 
 
-@lru_cache(maxsize=8)
-def listed(given: tuple[int | None, ...], movable: Mask, *, full: bool) -> Rows:
-    """Every row: full ones only, or with gaps too; in lexicographic order of the full ones."""
+@lru_cache(maxsize=16)
+def listed(given: tuple[int | None, ...], movable: Mask, order: Order | None) -> Rows:
+    """Every row that fills all free cells, or with an `order` also every shorter one."""
     free = [k for k, token in enumerate(given) if token is None]
     tokens = np.array(list(bits(movable)), np.int16)
     start = np.array([NOBODY if token is None else token for token in given], np.int16)
     parts: list[Tokens] = []
-    for count in (len(free),) if full else range(len(free), -1, -1):
+    for count in (len(free),) if order is None else range(len(free), -1, -1):
         choices = _arrangements(len(tokens), count)
-        for cells in combinations(free, count):
-            rows = np.repeat(start[None], len(choices), axis=0)
-            rows[:, list(cells)] = tokens[choices]
-            parts.append(rows)
+        cells = free if order is None else [k for k in order if k in free][:count]
+        rows = np.repeat(start[None], len(choices), axis=0)
+        rows[:, cells] = tokens[choices]
+        parts.append(rows)
     return Rows(np.concatenate(parts), None)
 
 
@@ -152,8 +155,14 @@ class Context:
     rows: Rows
 
     def some(self, number: int) -> Context:
-        """The same with only `number` of the rows, spread evenly."""
-        return Context(self.setting, self.order, self.rows.some(number))
+        """The same with only `number` of the rows, spread evenly; the same object each time."""
+        if number not in self._some:
+            self._some[number] = Context(self.setting, self.order, self.rows.some(number))
+        return self._some[number]
+
+    @cached_property
+    def _some(self) -> dict[int, Context]:
+        return {}
 
     @cached_property
     def plays(self) -> Plays:

@@ -53,10 +53,8 @@ def naming(setting: Setting, attribute: str) -> list[TokenTest]:
 def simple(setting: Setting) -> list[TokenTest]:
     """Named values and features without an order: what "red", "odd" and "vowel" are."""
     found: list[TokenTest] = []
-    for attribute, scale in scales_of(setting).items():
+    for attribute, scale in setting.deck.scales.items():
         found += naming(setting, attribute)
-        if attribute in (ORIGIN_ROW, ORIGIN_COLUMN):
-            continue
         if scale is Scale.NUMBER:
             found += [has(name, attribute) for name in (*NUMBER_FEATURES, *DIGITS)]
         if scale is Scale.LETTER:
@@ -95,13 +93,3 @@ def extremes(setting: Setting) -> Iterator[Among]:
     for attribute, scale in setting.deck.scales.items():
         if scale is not Scale.NOMINAL:
             yield from (Among(attribute, extreme) for extreme in Extreme)
-
-
-def selecting(setting: Setting, basic: Sequence[TokenTest]) -> Iterator[TokenTest]:
-    """All tests that may select: simple ones, negated, two by `or`, thresholds, extremes."""
-    yield from basic
-    yield from thresholds(setting)
-    yield from extremes(setting)
-    yield from (Not(test) for test in basic)
-    if len(basic) <= MAX_EITHER:
-        yield from (Either(one, two) for one, two in combinations(basic, 2))
