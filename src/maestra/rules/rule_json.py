@@ -16,11 +16,9 @@ from pydantic_core import ErrorDetails
 
 from maestra.core.faults import Fault, InvalidError, shorten
 from maestra.core.json_lines import FormatError, decode_object
-from maestra.rules.rule import Rule
+from maestra.rules.rule import MAX_RULES, Rule
 
 RULES_FORMAT: Final = "maestra.rules/1"
-MAX_RULES: Final = 100
-"""In one exercise: nobody could keep in mind more."""
 
 
 class RulesJson(BaseModel):
