@@ -56,6 +56,8 @@ class Matter(Enum):
     """Put the tokens back that lie wrong."""
     CHECK_BOARD = "check-board"
     """The board has a token that is not the exercise's, or none where one should be."""
+    PLACE = "place"
+    """Place a token that the patient is to be spared."""
     NO_WAY_ON = "no-way-on"
     """No move is right any more: end the session, or judge the last move otherwise."""
     LONG_SILENCE = "long-silence"
