@@ -156,7 +156,7 @@ class Reasons:
     def _of_pattern(self, rule: Pattern) -> Iterator[Say]:
         """What belongs where the token was put, if that is one thing."""
         place = (self._destination.column - 1) % len(rule.tests)
-        value = Rules(self._tokens).value_of(rule.tests[place])
+        value = self._tokens.value_of(rule.tests[place])
         if value is not None:
             yield say(Key.WRONG_PLACE, token=value, place=Place(self._destination))
         yield Rules(self._tokens).says(rule)
