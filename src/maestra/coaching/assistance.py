@@ -23,6 +23,7 @@ from dataclasses import dataclass
 from typing import Final, TypeAlias
 
 from maestra.coaching.chance import Chance
+from maestra.coaching.fields import MAX_LEVEL
 from maestra.coaching.referee import Referee
 from maestra.coaching.settings import Hand, Profile, Reach
 from maestra.coaching.table import Position
@@ -48,9 +49,9 @@ class Encouragement:
 
 @dataclass(frozen=True, slots=True)
 class Reminder:
-    """Level 1, with one."""
+    """Level 1, with one of these."""
 
-    rule: str
+    rules: tuple[str, ...]
 
 
 @dataclass(frozen=True, slots=True)
@@ -87,7 +88,7 @@ def hint(
     profile: Profile,
     chance: Chance,
     vetoed: frozenset[Move] = frozenset(),
-) -> tuple[Hint | None, Chance]:
+) -> Hint | None:
     """What to say at `level`; None if nothing may be moved.
 
     Args:
@@ -95,24 +96,26 @@ def hint(
         position: the play so far, every refused token put back.
         level: 0 to 5.
         profile: tokens within the patient's reach and on the side of the hand come first.
-        chance: draws which of equally good things is said.
+        chance: draws which of equally good things is said; the same one gives hints at all
+            levels about the same move.
         vetoed: moves that the caregiver has judged wrong here.
     """
     right = [move for move in referee.right_moves(position) if move not in vetoed]
     if not right:
-        return None, chance
+        return None
+    move, chance = _best(position.now.board, right, profile, chance)
     match level:
         case 0:
-            return YourTurn(), chance
+            return YourTurn()
         case 1:
-            return _reminder(referee, chance)
+            short = tuple(rule for rule in referee.rules if is_short(rule))
+            return Reminder(short) if short and position.moves else Encouragement()
         case 2:
-            return _row(position.now.board, right, profile, chance)
+            return _row(position, move)
         case 3:
-            return _few(position, right, profile, chance)
+            return _few(position, right, move, chance)
         case _:
-            move, chance = _best(position.now.board, right, profile, chance)
-            return ThisMove(move, offered=level > 4), chance  # noqa: PLR2004 - the last level
+            return ThisMove(move, offered=level == MAX_LEVEL)
 
 
 def is_short(sentence: str) -> bool:
@@ -120,40 +123,26 @@ def is_short(sentence: str) -> bool:
     return len(sentence.split()) <= MOST_WORDS
 
 
-def _reminder(referee: Referee, chance: Chance) -> tuple[Hint, Chance]:
-    short = [rule for rule in referee.rules if is_short(rule)]
-    encourages, chance = chance.below(2)
-    if not short or encourages:
-        return Encouragement(), chance
-    rule, chance = chance.pick(short)
-    return Reminder(rule), chance
-
-
-def _row(
-    board: Board, right: Sequence[Move], profile: Profile, chance: Chance
-) -> tuple[Hint, Chance]:
-    move, chance = _best(board, right, profile, chance)
+def _row(position: Position, move: Move) -> Hint:
     row = move.origin.row
-    return InThisRow(row, tuple(cell for cell in board.cells if cell.row == row)), chance
+    cells = position.now.board.cells
+    return InThisRow(row, tuple(cell for cell in cells if cell.row == row))
 
 
-def _few(
-    position: Position, right: Sequence[Move], profile: Profile, chance: Chance
-) -> tuple[Hint, Chance]:
-    board = position.now.board
-    movable = {move.token for move in right}
+def _few(position: Position, right: Sequence[Move], move: Move, chance: Chance) -> Hint:
+    goal_row = position.now.board.goal_row
+    movable = {each.token for each in right}
     decoys = [
         token
         for token, cell in position.now.cells.items()
-        if token not in movable and cell.row != board.goal_row
+        if token not in movable and cell.row != goal_row
     ]
     if not decoys:
-        return _row(board, right, profile, chance)
-    move, chance = _best(board, right, profile, chance)
-    others, chance = chance.shuffled(decoys)
+        return _row(position, move)
+    others, _ = chance.shuffled(decoys)
     cells: Mapping[TokenId, Cell] = position.now.cells
     tokens = sorted((move.token, *others[: SHOWN_TOKENS - 1]), key=cells.__getitem__)
-    return OneOfThese(tuple(tokens)), chance
+    return OneOfThese(tuple(tokens))
 
 
 def _best(

@@ -1,0 +1,52 @@
+"""The kinds of notes that a session keeps beside its events; what exports and reports read."""
+
+from __future__ import annotations
+
+from enum import Enum
+
+
+class Note(Enum):
+    """A kind of `Record`, with its fields."""
+
+    BEGUN = "begun"
+    """Somebody sat down."""
+    MOVE = "move"
+    """A right move: token, from_row, from_column, row, column, step, attempt, level, by."""
+    REFUSED = "refused"
+    """As a move, and broken: the rules' ids, joined by commas."""
+    RETURNED = "returned"
+    """A token is where it should be again: token."""
+    UNCLEAR = "unclear"
+    """A token was put where another belongs, or several were in the air: token."""
+    HELP = "help"
+    """level, step, attempt, why: policy, silence, asked, ordered."""
+    SILENCE = "silence"
+    """step, attempt."""
+    PUT_BACK_ASKED = "put-back-asked"
+    """helper, token."""
+    OVERRIDDEN = "overridden"
+    """token, allowed."""
+    SKIPPED = "skipped"
+    """token."""
+    PAUSED = "paused"
+    RESUMED = "resumed"
+    BOARD_LOST = "board-lost"
+    BOARD_BACK = "board-back"
+    """astray: how many tokens lie elsewhere than before."""
+    UNKNOWN_TOKEN = "unknown-token"
+    """token."""
+    ANSWERED = "answered"
+    """question, reply."""
+    ROBOT_DONE = "robot-done"
+    """command."""
+    ROBOT_FAILED = "robot-failed"
+    """command, why."""
+    UNEXPECTED = "unexpected"
+    """event: something that could not happen, or means nothing here."""
+    ENDED = "ended"
+    """ending, and what was counted: moves, first_time, errors, silences, helps, levels,
+    by_others, seconds."""
+    DEMONSTRATION = "demonstration"
+    """Of a lesson: number, moves."""
+    LEARNED = "learned"
+    """Of a lesson: learned, demonstrations."""
