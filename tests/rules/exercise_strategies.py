@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+from typing import TypeVar
+
 from hypothesis import strategies as st
 
 from maestra.core.demonstration import Demonstration
@@ -15,9 +18,12 @@ from maestra.rules.exercise import (
     meant_rules,
 )
 from maestra.rules.fitting import misfits
+from maestra.rules.forms.length import FullRow
 from maestra.rules.rule import Rule
 from maestra.rules.setting import Play, Setting, bits
-from tests.rules.rule_strategies import decks, plays_from, rules_for, settings_with
+from tests.rules.rule_strategies import FORMS, RULES, decks, plays_from, settings_with
+
+_T = TypeVar("_T")
 
 SHARES = st.floats(0, 1)
 
@@ -27,20 +33,27 @@ def demonstration_of(play: Play) -> Demonstration:
     return Demonstration(play.setting.deck, play.setting.start, play.moves())
 
 
-def fitting_rules(setting: Setting) -> st.SearchStrategy[Rule]:
-    """Rules of any form that the deck of `setting` can be asked for."""
+def some(draw: st.DrawFn, most: int, one: Callable[[st.DrawFn], _T]) -> tuple[_T, ...]:
+    """Up to `most` of what `one` draws."""
+    return tuple(one(draw) for _ in range(draw(st.integers(0, most))))
+
+
+def fitting_rule(draw: st.DrawFn, setting: Setting) -> Rule:
+    """A rule of any form that the deck of `setting` can be asked for."""
     deck = setting.deck
-    return rules_for(deck, setting.start.board).filter(lambda rule: not misfits([rule], deck))
+    form = draw(st.sampled_from(FORMS))
+    rule: Rule = draw(RULES[form](deck, setting.start.board))
+    return FullRow() if misfits([rule], deck) else rule
 
 
-@st.composite
-def answers(draw: st.DrawFn, setting: Setting) -> Answer:
+def answer(draw: st.DrawFn, setting: Setting) -> Answer:
     """A question of any kind and any reply to it."""
     play = draw(plays_from(setting))
-    question: Question = draw(
-        st.builds(RuleQuestion, fitting_rules(setting)) | st.just(RowQuestion(play))
-    )
-    if play.room and draw(st.booleans()):
+    question: Question = RowQuestion(play)
+    kind = draw(st.sampled_from(("row", "move", "rule")))
+    if kind == "rule":
+        question = RuleQuestion(fitting_rule(draw, setting))
+    elif kind == "move" and play.room:
         token = draw(st.sampled_from(list(bits(play.left))))
         question = MoveQuestion(play, token, draw(st.sampled_from(play.free)))
     reply = draw(st.sampled_from(Reply))
@@ -50,21 +63,19 @@ def answers(draw: st.DrawFn, setting: Setting) -> Answer:
     return Answer(question, reply, wrong)
 
 
-@st.composite
-def exams(draw: st.DrawFn) -> Exam:
+def exam(draw: st.DrawFn) -> Exam:
     """An exam with any result."""
     plays, misses = draw(st.integers(0, 20)), draw(st.integers(0, 20))
     agreed, found = draw(st.integers(0, plays)), draw(st.integers(0, misses))
     return Exam(draw(st.sampled_from(("2026-11-22", "yesterday"))), plays, agreed, misses, found)
 
 
-@st.composite
-def evidences(draw: st.DrawFn, setting: Setting) -> Evidence:
+def evidence(draw: st.DrawFn, setting: Setting) -> Evidence:
     """A little of everything that is kept."""
     return Evidence(
-        tuple(draw(st.lists(plays_from(setting).map(demonstration_of), max_size=2))),
-        tuple(draw(st.lists(answers(setting), max_size=2))),
-        tuple(draw(st.lists(exams(), max_size=2))),
+        some(draw, 2, lambda draw: demonstration_of(draw(plays_from(setting)))),
+        some(draw, 2, lambda draw: answer(draw, setting)),
+        some(draw, 2, exam),
     )
 
 
@@ -73,19 +84,19 @@ def ruled_exercises(draw: st.DrawFn, setting: Setting | None = None) -> RuledExe
     """An exercise of up to three rules of any form, over a random deck and board."""
     if setting is None:
         setting = draw(settings_with(draw(decks())))
-    some = st.lists(fitting_rules(setting), max_size=3)
-    rules = draw(some)
-    shares = draw(st.tuples(*[SHARES] * len(rules)))
-    others = st.builds(
-        Alternative, st.lists(fitting_rules(setting), max_size=2).map(tuple), SHARES
-    )
+    start = setting
+
+    def rules(draw: st.DrawFn) -> tuple[Rule, ...]:
+        return some(draw, 3, lambda draw: fitting_rule(draw, start))
+
+    meant = rules(draw)
     return RuledExercise(
         setting.start.board,
         setting.deck,
-        meant_rules(rules, shares),
+        meant_rules(meant, [draw(SHARES) for _ in meant]),
         draw(SHARES),
         draw(st.sampled_from(LearnStatus)),
-        (*rules, *draw(some)),
-        tuple(draw(st.lists(others, max_size=2))),
-        draw(evidences(setting)),
+        (*meant, *rules(draw)),
+        some(draw, 2, lambda draw: Alternative(rules(draw), draw(SHARES))),
+        evidence(draw, setting),
     )
