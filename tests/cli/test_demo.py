@@ -3,21 +3,12 @@
 import pytest
 
 from maestra.cli.demo_session import begin, end, step
-from maestra.cli.demo_stages import (
-    SUBJECTS,
-    Choosing,
-    Drawn,
-    Ended,
-    Output,
-    Playing,
-    Said,
-    Stage,
-    Teaching,
-)
+from maestra.cli.demo_stages import SUBJECTS, Choosing, Ended, Playing, Stage, Teaching
 from maestra.cli.demo_terminal import own_language
 from maestra.cli.demo_words import Command, Typed, Unclear, Wish, Word, understand
 from maestra.cli.drawing import ASCII, UNICODE, draw, label, strokes_for
 from maestra.cli.lesson import Speech
+from maestra.cli.outputs import Drawn, Output, Said
 from maestra.core.board import Board, Cell, Column, Row
 from maestra.core.state import State
 from maestra.core.tokens import Deck, Token, TokenId
