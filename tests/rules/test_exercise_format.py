@@ -22,6 +22,7 @@ from maestra.rules.strips.vocabulary import Level
 from scripts.write_schemas import schemas
 from tests.rules.ascending import exercise_of, paper_lesson
 from tests.rules.lessons import Lesson, lessons
+from tests.rules.positions import positions_of
 
 Path = tuple[str | int, ...]
 VALIDATOR: Any = Draft202012Validator(json.loads(schemas()["exercise-1.schema.json"]))
@@ -96,13 +97,12 @@ def test_an_exercise_that_is_written_and_read_is_the_same(lesson: Lesson) -> Non
 def test_an_exercise_that_was_read_judges_alike(lesson: Lesson) -> None:
     exercise = learn(lesson)
     read = decode_exercise(encode_exercise(exercise).encode())
-    assert isinstance(read, GroundedExercise)
     judges = [Judge(one, lesson.deck) for one in (exercise, read)]
     for play in lesson.demonstrations:
         one, other = (judge.judge(play.start, play.moves) for judge in judges)
         assert one == other
-        for made, state in enumerate(play.states()):
-            first, second = (set(judge.allowed_moves(state, made)) for judge in judges)
+        for position in positions_of(play):
+            first, second = (set(judge.allowed_moves(position)) for judge in judges)
             assert first == second
 
 

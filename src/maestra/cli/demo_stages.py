@@ -15,8 +15,8 @@ from maestra.learning.grounded import learn_grounded
 from maestra.learning.suspects import doubts
 from maestra.rules.exercise import GroundedExercise
 from maestra.rules.judging import Judge
-from maestra.rules.position import Position
 from maestra.rules.paper import BOARD, LETTER_DECK, NUMBER_DECK, PAPER_EXERCISES
+from maestra.rules.position import Position
 from maestra.rules.right_plays import RightPlays
 from maestra.rules.summaries.summary import Summary, summarise
 

@@ -4,26 +4,20 @@ from collections.abc import Iterator
 
 from maestra.cli.streams import Advance, named, read_chunks, read_whole
 from maestra.core.demonstration import Play
-from maestra.core.faults import Fault
 from maestra.core.formats import read_plays
-from maestra.core.json_lines import FormatError
 from maestra.language import NO_LEXICON, Lexicon, read_words
-from maestra.rules.exercise import GroundedExercise, RuledExercise
+from maestra.rules.exercise import Exercise
 from maestra.rules.exercise_format import decode_exercise
 
 
-def exercise_in(path: str) -> GroundedExercise:
+def exercise_in(path: str) -> Exercise:
     """The exercise in a file.
 
     Raises:
         OSError: the file cannot be read.
         FormatError: it is no exercise.
     """
-    exercise = decode_exercise(read_whole(path), named(path))
-    if isinstance(exercise, RuledExercise):
-        fault = Fault("kind", '"ruled"', '"grounded", the only kind that this command reads')
-        raise FormatError(named(path), 1, (fault,))
-    return exercise
+    return decode_exercise(read_whole(path), named(path))
 
 
 def words_in(path: str | None) -> Lexicon:

@@ -26,10 +26,10 @@ from maestra.coaching.chance import Chance
 from maestra.coaching.fields import MAX_LEVEL
 from maestra.coaching.referee import Referee
 from maestra.coaching.settings import Hand, Profile, Reach
-from maestra.coaching.table import Position
 from maestra.core.board import Board, Cell, Row
 from maestra.core.state import Move
 from maestra.core.tokens import TokenId
+from maestra.rules.position import Position
 
 SHOWN_TOKENS: Final = 3
 """At level 3."""

@@ -5,16 +5,16 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Protocol, TypeAlias
 
-from maestra.coaching.table import Position
 from maestra.core.state import Move, State
 from maestra.core.tokens import Deck
 from maestra.language import NO_LEXICON, Language, Lexicon, reason, rule_sentences
 from maestra.language.languages import speaker_for
 from maestra.language.speaker import Speaker
-from maestra.rules.exercise import GroundedExercise
-from maestra.rules.judging import Allowed, Judge, JudgedMove
-from maestra.rules.summaries.blame import broken_ids
-from maestra.rules.summaries.summary import summarise
+from maestra.rules.account import account_of, broken_ids
+from maestra.rules.exercise import Exercise
+from maestra.rules.judging import Judge
+from maestra.rules.position import Position
+from maestra.rules.verdicts import JudgedMove
 
 
 @dataclass(frozen=True, slots=True)
@@ -80,7 +80,7 @@ class ExerciseReferee:
 
     def __init__(
         self,
-        exercise: GroundedExercise,
+        exercise: Exercise,
         deck: Deck,
         language: Language,
         lexicon: Lexicon = NO_LEXICON,
@@ -93,31 +93,30 @@ class ExerciseReferee:
         self.deck = deck
         self.language = language
         self._judge = Judge(exercise, deck)
-        self._summary = summarise(exercise)
+        self._account = account_of(exercise)
         self._lexicon = lexicon
         self.speaker = speaker_for(language, exercise.board, deck, lexicon)
-        said = rule_sentences(self._summary, language, lexicon)
+        said = rule_sentences(self._account, language, lexicon)
         self.rules = tuple(sentence.text for sentence in said)
-        self._moves: dict[tuple[State, int], tuple[Move, ...]] = {}
+        self._moves: dict[tuple[State, tuple[Move, ...]], tuple[Move, ...]] = {}
 
     def judge(self, position: Position, move: Move) -> Ruling:
         """Whether `move` is right here, and if not, why."""
-        verdict = self._judge.verdict(position.now, len(position.moves), move)
-        if isinstance(verdict, Allowed):
-            return Right()
+        verdict = self._judge.verdict(position, move)
         judged = JudgedMove(position.now, move, verdict)
-        why = reason(judged, self._summary, self.deck, self.language, self._lexicon)
-        return Refused(why, broken_ids(judged, self._summary, self.deck))
+        if not judged.is_refused:
+            return Right()
+        why = reason(judged, self._account, self.deck, self.language, self._lexicon)
+        return Refused(why, broken_ids(judged, self._account, self.deck))
 
     def right_moves(self, position: Position) -> tuple[Move, ...]:
         """Every right move, by destination and origin."""
-        made = len(position.moves)
-        key = position.now, made
+        key = position.start, position.moves
         if key not in self._moves:
-            found = self._judge.allowed_moves(position.now, made)
+            found = self._judge.allowed_moves(position)
             self._moves[key] = tuple(sorted(found, key=lambda m: (m.destination, m.origin)))
         return self._moves[key]
 
     def may_end(self, position: Position) -> bool:
         """Whether the exercise may end here."""
-        return self._judge.may_end(len(position.moves))
+        return self._judge.may_end(position)

@@ -12,9 +12,10 @@ from maestra.coaching.fields import Milliseconds
 from maestra.coaching.policies import Limits, Outcome, Policy, Situation, policy_for
 from maestra.coaching.referee import Referee
 from maestra.coaching.settings import Helper, Settings
-from maestra.coaching.table import Position, Table
+from maestra.coaching.table import Table
 from maestra.coaching.voice import Voice
 from maestra.core.state import Move, State
+from maestra.rules.position import Position
 
 BEGINNING: Final = Milliseconds(0)
 

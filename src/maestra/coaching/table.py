@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 
 from maestra.core.board import Cell
-from maestra.core.state import Move, State
+from maestra.core.state import State
 from maestra.core.tokens import TokenId
 
 
@@ -53,33 +53,3 @@ class Table:
         """The tokens that lie elsewhere than they should."""
         should = expected.cells
         return tuple(token for token, cell in self.cells.items() if should[token] != cell)
-
-
-@dataclass(frozen=True, slots=True)
-class Position:
-    """A play up to now: how it began, and its right moves."""
-
-    start: State
-    moves: tuple[Move, ...]
-    now: State
-    """What lies where once every refused move is put back."""
-
-    @classmethod
-    def begin(cls, start: State) -> Position:
-        """Nothing moved yet."""
-        return cls(start, (), start)
-
-    def after(self, move: Move) -> Position:
-        """The play with one more move.
-
-        Raises:
-            IllegalMoveError: no board could make it.
-        """
-        return Position(self.start, (*self.moves, move), self.now.after(move))
-
-    def without_last(self) -> Position:
-        """The play before its last move, of which there is one."""
-        position = Position.begin(self.start)
-        for move in self.moves[:-1]:
-            position = position.after(move)
-        return position

@@ -41,13 +41,14 @@ from maestra.coaching.session import (
     Waiting,
 )
 from maestra.coaching.settings import Modality
-from maestra.coaching.table import Position, Table
+from maestra.coaching.table import Table
 from maestra.coaching.voice import Voice
 from maestra.core.board import Cell
 from maestra.core.tokens import TokenId
 from maestra.language.coach import question_to_caregiver
 from maestra.language.coach_keys import AskKey, CoachKey
 from maestra.language.phrases import Joint, Listing, Named, Phrase
+from maestra.rules.position import Position
 
 
 class Changes(TypedDict, total=False):

@@ -163,7 +163,9 @@ class Key(Enum):
     BELONGS_THERE = "belongs-there"
     NOT_SHOWN = "not-shown"
     DEAD_END = "dead-end"
+    NO_WAY_ON = "no-way-on"
     NOT_NOW = "not-now"
+    ASK_CAREGIVER = "ask-caregiver"
     AFTER_THE_END = "after-the-end"
 
 

@@ -9,6 +9,14 @@ SENTENCES: Final[Mapping[str, str]] = MappingProxyType(
         "learned": "Demostracions vistes: {demonstrations}. Accions apreses: {actions}.",
         "written": "Desat a {file}.",
         "still-narrow": "Encara no és clar:",
+        "sure": "N'estic segur al {percent} %.",
+        "not-sure": "No n'estic segur: {percent} %.",
+        "could-also-be": "No n'estic segur: {percent} %. També podria ser:",
+        "no-simple-rule": "No n'estic segur: cap regla senzilla explica el que he vist. Mentre "
+        "no em digui més, només permeto això:",
+        "does-not-fit": "No n'estic segur: el que m'ha mostrat i el que m'ha dit no encaixen.",
+        "told": "Vostè m'ho ha dit així.",
+        "no-rule": "Tot val.",
         "show-next": "Per aclarir-ne el màxim, mostreu ara això:",
         "planned": "Planificat per {engine} en {seconds} s. Problemes: {problems}. "
         "Supressions supèrflues descartades: {superfluous}.",

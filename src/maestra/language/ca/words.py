@@ -198,7 +198,9 @@ _SENTENCES: Final = {
     Key.BELONGS_THERE: "Fins ara, abans hi havia {token} a {place}.",
     Key.NOT_SHOWN: "Encara no he vist {tokens} en {nth} lloc.",
     Key.DEAD_END: "Així ja no es pot omplir la fila.",
+    Key.NO_WAY_ON: "Així la fila ja no pot quedar bé.",
     Key.NOT_NOW: "Aquesta fitxa no va aquí ara.",
+    Key.ASK_CAREGIVER: "Això encara no ho he vist: pregunti al seu acompanyant.",
     Key.AFTER_THE_END: "La fila ja està completa.",
 }
 

@@ -9,6 +9,14 @@ SENTENCES: Final[Mapping[str, str]] = MappingProxyType(
         "learned": "Demonstrations seen: {demonstrations}. Actions learned: {actions}.",
         "written": "Saved in {file}.",
         "still-narrow": "Not clear yet:",
+        "sure": "I am {percent} % sure of this.",
+        "not-sure": "I am not sure of this: {percent} %.",
+        "could-also-be": "I am not sure: {percent} %. It could also be:",
+        "no-simple-rule": "I am not sure: no simple rule explains what I saw. Until you say more "
+        "I only allow this:",
+        "does-not-fit": "I am not sure: what I was shown and told does not fit together.",
+        "told": "You told me so.",
+        "no-rule": "Anything is right.",
         "show-next": "To settle most of it, show this next:",
         "planned": "Planned by {engine} in {seconds} s. Problems: {problems}. "
         "Superfluous deletions dropped: {superfluous}.",

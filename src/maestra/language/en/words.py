@@ -173,7 +173,9 @@ _SENTENCES: Final = {
     Key.BELONGS_THERE: "So far {token} has been in {place} first.",
     Key.NOT_SHOWN: "I have not yet seen {tokens} go {nth}.",
     Key.DEAD_END: "Then the row can no longer be filled.",
+    Key.NO_WAY_ON: "Then the row can no longer come out right.",
     Key.NOT_NOW: "This token does not go here now.",
+    Key.ASK_CAREGIVER: "I have not seen this yet: please ask the caregiver.",
     Key.AFTER_THE_END: "The row is finished.",
 }
 

@@ -9,6 +9,14 @@ SENTENCES: Final[Mapping[str, str]] = MappingProxyType(
         "learned": "Demostraciones vistas: {demonstrations}. Acciones aprendidas: {actions}.",
         "written": "Guardado en {file}.",
         "still-narrow": "Aún no está claro:",
+        "sure": "Estoy seguro de esto al {percent} %.",
+        "not-sure": "No estoy seguro de esto: {percent} %.",
+        "could-also-be": "No estoy seguro: {percent} %. También podría ser:",
+        "no-simple-rule": "No estoy seguro: ninguna regla sencilla explica lo que vi. Mientras "
+        "no me diga más, solo permito esto:",
+        "does-not-fit": "No estoy seguro: lo que me mostró y lo que me dijo no encajan.",
+        "told": "Usted me lo dijo así.",
+        "no-rule": "Todo vale.",
         "show-next": "Para aclarar lo más posible, muestre ahora esto:",
         "planned": "Planificado por {engine} en {seconds} s. Problemas: {problems}. "
         "Supresiones superfluas descartadas: {superfluous}.",

@@ -200,7 +200,9 @@ _SENTENCES: Final = {
     Key.BELONGS_THERE: "Hasta ahora, antes estaba {token} en {place}.",
     Key.NOT_SHOWN: "Aún no he visto {tokens} en {nth} lugar.",
     Key.DEAD_END: "Así ya no se puede llenar la fila.",
+    Key.NO_WAY_ON: "Así la fila ya no puede quedar bien.",
     Key.NOT_NOW: "Esta ficha no va aquí ahora.",
+    Key.ASK_CAREGIVER: "Esto aún no lo he visto: pregunte a su acompañante.",
     Key.AFTER_THE_END: "La fila ya está completa.",
 }
 
