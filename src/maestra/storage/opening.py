@@ -59,7 +59,7 @@ def open_store(where: Place) -> SqlStore:
             wrote it.
         OSError: it cannot be reached.
     """
-    _make_folder(where)
+    make_folders(where)
     database = where.database
     try:
         vault = _prepare(database, where.keys)
@@ -112,7 +112,8 @@ def _prepare(database: Database, keys: Path) -> Vault:
         connection.close()
 
 
-def _make_folder(where: Place) -> None:
+def make_folders(where: Place) -> None:
+    """The folders of a record and of keys, which only their owner may look into."""
     if not where.data.startswith(SCHEMES):
         Path(where.data).mkdir(parents=True, exist_ok=True, mode=0o700)
     where.keys.mkdir(parents=True, exist_ok=True, mode=0o700)

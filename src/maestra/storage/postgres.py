@@ -2,6 +2,7 @@
 
 import contextlib
 from collections.abc import Generator
+from importlib.util import find_spec
 from typing import Final
 
 from sqlalchemy import Connection, create_engine, make_url, text
@@ -34,6 +35,9 @@ class PostgresDatabase:
         except (ArgumentError, ValueError):
             expected = "postgresql://USER@HOST/DATABASE"
             raise InvalidError([Fault("--data", "no address of a database", expected)]) from None
+        if find_spec("psycopg") is None:
+            expected = "psycopg: pip install 'maestra[postgresql]'"
+            raise InvalidError([Fault("--data", "PostgreSQL without its driver", expected)])
         self._name: str = named.render_as_string(hide_password=True).replace("+psycopg", "")
         self._engine = create_engine(
             named,

@@ -17,6 +17,7 @@ from maestra.storage.chain import (
     Head,
     HeadKind,
     Link,
+    SignedHead,
     Verification,
     digest_after,
     read_head,
@@ -50,21 +51,19 @@ class Signer:
 
     def begin(self) -> None:
         """Say that the store is begun, with nothing in it."""
-        self._vault.sign(self._head(HeadKind.BEGUN, 0, GENESIS))
+        self._vault.add(self._vault.sign(self._head(HeadKind.BEGUN, 0, GENESIS)))
 
     def started(self) -> None:
         """From now on what is signed has been written by this program."""
         self._kind = HeadKind.WRITTEN
 
-    def restored(self, connection: Connection) -> None:
-        """Say that the record ends here because a backup was restored."""
-        sequence, digest = tail(connection)
-        self._vault.sign(self._head(HeadKind.RESTORED, sequence, digest))
-        self._signed = sequence
+    def restored(self, connection: Connection) -> SignedHead:
+        """A head that says that the record ends here because a backup was restored."""
+        return self._vault.sign(self._head(HeadKind.RESTORED, *tail(connection)))
 
     def _sign(self, sequence: int, digest: bytes) -> None:
         if sequence > self._signed:
-            self._vault.sign(self._head(self._kind, sequence, digest))
+            self._vault.add(self._vault.sign(self._head(self._kind, sequence, digest)))
             self._signed = sequence
 
     def _head(self, kind: HeadKind, sequence: int, digest: bytes) -> Head:
@@ -134,7 +133,7 @@ class Record:
         return tuple(self._append(connection, one, subjects[one.session]) for one in entries)
 
     def _append(self, connection: Connection, entry: NewEntry, subject: SubjectId | None) -> Entry:
-        key_tag = self._vault.tag("entry", entry.session, entry.key)
+        key_tag = self._vault.tag("entry", subject or "", entry.session, entry.key)
         known = connection.execute(select(EVENTS).where(EVENTS.c.key_tag == key_tag)).one_or_none()
         if known is not None:
             return self._same(known, entry)

@@ -12,11 +12,12 @@ Every file is written and flushed to the disk before anything depends on it.
 """
 
 import hmac
+import json
 import os
 import secrets
-from collections.abc import Iterator
 from hashlib import sha256
 from pathlib import Path
+from string import hexdigits
 from typing import Final, NewType
 
 from cryptography.exceptions import InvalidSignature, InvalidTag
@@ -33,6 +34,7 @@ SubjectId = NewType("SubjectId", str)
 """A patient within the database: random, known only together with the key."""
 StoreId = NewType("StoreId", str)
 
+KEYS_FORMAT: Final = "maestra.keys/1"
 KEY_BYTES: Final = 32
 NONCE_BYTES: Final = 12
 """As AES-GCM wants them; random, which is safe for 2^32 messages under one key."""
@@ -147,9 +149,13 @@ class Vault:
         """What checks signatures."""
         return self._public.public_bytes_raw()
 
-    def sign(self, head: Head) -> None:
-        """Add a signed head to the file; it is on the disk when this returns."""
-        line = SignedHead(head, self._signing.sign(head.message())).line().encode()
+    def sign(self, head: Head) -> SignedHead:
+        """The head with this store's signature."""
+        return SignedHead(head, self._signing.sign(head.message()))
+
+    def add(self, head: SignedHead) -> None:
+        """Add a head to the file; it is on the disk when this returns."""
+        line = head.line().encode()
         with self._heads.open("ab") as file:
             end = file.tell()
             try:
@@ -187,12 +193,52 @@ class Vault:
         """Whether a signature is this store's."""
         return is_signature(self._public, signature, message)
 
-    # ------------------------------------------------------------ the rest
+    # ------------------------------------------------------------ a copy of all keys
 
-    def subjects(self) -> Iterator[SubjectId]:
-        """All who have a key."""
-        for path in sorted(self._subjects.glob("*.key")):
-            yield SubjectId(path.stem)
+    def packed(self) -> str:
+        """All keys and heads as the text of one file."""
+        return json.dumps(
+            {
+                "format": KEYS_FORMAT,
+                "store": self.store,
+                "tags": self._tags.hex(),
+                "signing": self._signing.private_bytes_raw().hex(),
+                "heads": self.heads(),
+                "subjects": {
+                    path.stem: path.read_bytes().hex()
+                    for path in sorted(self._subjects.glob("*.key"))
+                },
+            }
+        )
+
+    @classmethod
+    def unpack(cls, root: Path, text: str, file: str) -> None:
+        """Lay out under `root` the keys that `packed` wrote.
+
+        Raises:
+            InvalidError: the text holds none.
+        """
+        try:
+            keys = json.loads(text)
+            folder = root / _plain_id(keys["store"] if keys["format"] == KEYS_FORMAT else "")
+            contents = {
+                "tags.key": bytes.fromhex(keys["tags"]),
+                "signing.key": bytes.fromhex(keys["signing"]),
+                "heads.jsonl": "".join(f"{line}\n" for line in keys["heads"]).encode(),
+            }
+            subjects = {_plain_id(one): bytes.fromhex(k) for one, k in keys["subjects"].items()}
+            public = Ed25519PrivateKey.from_private_bytes(contents["signing.key"]).public_key()
+        except (ValueError, KeyError, TypeError, AttributeError):
+            fault = Fault(file, "something else", f"keys, {KEYS_FORMAT}")
+            raise InvalidError([fault]) from None
+        (folder / "subjects").mkdir(parents=True, mode=0o700)
+        folder.chmod(0o700)
+        for subject, key in subjects.items():
+            write_durably(folder / "subjects" / f"{subject}.key", key)
+        write_durably(folder / "signing.pub", public.public_bytes_raw())
+        for name, content in contents.items():
+            write_durably(folder / name, content)
+        flush_folder(root)
 
     def _key_file(self, subject: SubjectId) -> Path:
         return self._subjects / f"{subject}.key"
@@ -205,6 +251,13 @@ class Vault:
 
     def _bound(self, about: str) -> bytes:
         return f"{self.store}\0{about}".encode()
+
+
+def _plain_id(text: str) -> str:
+    """`text`, if it is an id that names a file and nothing else."""
+    if len(text) != 2 * _ID_BYTES or not set(text) <= set(hexdigits):
+        raise ValueError(text)
+    return text
 
 
 def is_signature(key: Ed25519PublicKey, signature: bytes, message: bytes) -> bool:
