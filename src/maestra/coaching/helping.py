@@ -48,7 +48,8 @@ def consult(turn: Turn, why: str = POLICY) -> None:
     limits = turn.game.limits
     level, chance = choose(session.policy, situation, limits, session.voice.chance)
     turn.draw_with(chance)
-    level = max(level, step.most)  # never less than what was not enough
+    if step.last is Outcome.WRONG:
+        level = max(level, step.most)  # never less than what was not enough
     waits = settings.persona is Persona.HUMAN_CENTRED and step.last is Outcome.SILENCE
     if waits and step.silent == 1:
         level = min(level, 1)

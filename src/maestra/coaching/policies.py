@@ -49,8 +49,14 @@ MEMORY: Final = 24
 """Outcomes of a situation and level before they are halved."""
 
 _TARGETS: Final = MappingProxyType(
-    {Behaviour.CHALLENGING: 0.6, Behaviour.NEUTRAL: 0.75, Behaviour.HELPING: 0.85}
+    {Behaviour.CHALLENGING: 0.5, Behaviour.NEUTRAL: 0.55, Behaviour.HELPING: 0.6}
 )
+"""How likely a first attempt should be right."""
+_RISE: Final = 0.2
+"""By how much that rises with each attempt that failed."""
+_HIGHEST_TARGET: Final = 0.9
+_NO_BETTER: Final = 0.1
+"""A level that promises this much less than the best one is as good: it helps less."""
 _FIRST_RIGHT: Final[Mapping[Mental, tuple[int, ...]]] = MappingProxyType(
     {
         Mental.NONE: (3, 3, 3, 4, 4, 4),
@@ -179,6 +185,8 @@ def learn(policy: Policy, situation: Situation, level: int, outcome: Outcome) ->
                 return Ladder(min(at + 1, MAX_LEVEL))
             return Ladder(max(at - 1, 0)) if row else replace(policy, row=1)
         case Adaptive():
+            if outcome is Outcome.SILENCE and situation.last is not Outcome.SILENCE:
+                return policy
             right = outcome is Outcome.RIGHT
             counts = _counted(_counts(policy, situation), level, right=right)
             return replace(policy, seen={**policy.seen, _name(situation): counts})
@@ -195,11 +203,12 @@ def likelihood(policy: Adaptive, situation: Situation, level: int) -> float:
 def _least_sufficient(
     policy: Adaptive, situation: Situation, limits: Limits, chance: Chance
 ) -> tuple[int, Chance]:
-    for level in range(limits.least, limits.most):
-        drawn, chance = _draw(*_beta(policy, situation, level), chance)
-        if drawn >= policy.target:
-            return level, chance
-    return limits.most, chance
+    target = min(policy.target + _RISE * (situation.attempt - 1), _HIGHEST_TARGET)
+    drawn: dict[int, float] = {}
+    for level in range(limits.least, limits.most + 1):
+        drawn[level], chance = _draw(*_beta(policy, situation, level), chance)
+    enough = min(target, max(drawn.values()) - _NO_BETTER)
+    return next(level for level, share in drawn.items() if share >= enough), chance
 
 
 def _draw(right: int, other: int, chance: Chance) -> tuple[float, Chance]:
@@ -224,14 +233,12 @@ def _counts(policy: Adaptive, situation: Situation) -> _Counts:
 
 
 def _counted(counts: _Counts, level: int, *, right: bool) -> _Counts:
-    """One more outcome: a right one for this level and all above, another for all below too."""
-    added = (
-        (good + (right and each >= level), bad + (not right and each <= level))
-        for each, (good, bad) in enumerate(counts)
-    )
-    return tuple(
-        (good // 2, bad // 2) if good + bad > MEMORY else (good, bad) for good, bad in added
-    )
+    """One more outcome at `level`; the oldest weigh less and less."""
+    good, bad = counts[level]
+    good, bad = good + right, bad + (not right)
+    if good + bad > MEMORY:
+        good, bad = good // 2, bad // 2
+    return (*counts[:level], (good, bad), *counts[level + 1 :])
 
 
 def _name(situation: Situation) -> str:

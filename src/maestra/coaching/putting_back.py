@@ -52,7 +52,8 @@ def _helpers(turn: Turn) -> tuple[Helper, ...]:
 def _ask(turn: Turn, helper: Helper) -> None:
     token = _first(turn)
     home = turn.session.position.now.cells[token]
-    if helper is Helper.ROBOT and not _is_free(turn, token):
+    lies = turn.session.table.cells.get(token)
+    if helper is Helper.ROBOT and (lies is None or not _is_free(turn, token)):
         helper = Helper.CAREGIVER
     turn.note(Note.PUT_BACK_ASKED, helper=helper.value, token=token)
     number: int | None = None
@@ -61,10 +62,10 @@ def _ask(turn: Turn, helper: Helper) -> None:
         case Helper.ROBOT:
             number = turn.number()
             turn.say(CoachKey.I_PUT_BACK, token=named)
-            turn.command(MoveToken(number, token, turn.session.table.cells[token], home))
+            turn.command(MoveToken(number, token, lies or home, home))
         case Helper.PATIENT:
             turn.say(CoachKey.PLEASE_PUT_BACK, token=named, place=Place(home))
-            turn.point((turn.session.table.cells[token], home))
+            turn.point((home,) if lies is None else (lies, home))
             turn.show(View.PUT_BACK, (token,))
         case Helper.CAREGIVER:
             turn.say(CoachKey.HELP_COMES)

@@ -50,6 +50,10 @@ class Table:
         return Table({**table.cells, token: cell}, air)
 
     def astray(self, expected: State) -> tuple[TokenId, ...]:
-        """The tokens that lie elsewhere than they should."""
+        """The tokens that lie elsewhere than they should, or were just lifted from there."""
         should = expected.cells
-        return tuple(token for token, cell in self.cells.items() if should[token] != cell)
+        return tuple(
+            token
+            for token, cell in (*self.cells.items(), *self.air.items())
+            if should[token] != cell
+        )
