@@ -2,9 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from dataclasses import replace
-
 import pytest
 from hypothesis import settings
 from hypothesis import strategies as st
@@ -16,7 +13,6 @@ from hypothesis.stateful import (
     rule,
 )
 
-from maestra.core.demonstration import Demonstration
 from maestra.learning import dialogue as module
 from maestra.learning.contradictions import Contradiction, Said, Shown, Understood
 from maestra.learning.dialogue import (
@@ -42,10 +38,9 @@ from maestra.learning.dialogue import (
     begin,
     step,
 )
-from maestra.learning.fewshot.learner import learn
-from maestra.learning.fewshot.lesson import Lesson, Slip, Status
+from maestra.learning.fewshot.lesson import Lesson, Status
 from maestra.learning.fewshot.questions import QuestionKind
-from maestra.rules.answers import Answer, Question, Reply, RowQuestion
+from maestra.rules.answers import Answer, Reply
 from maestra.rules.exercise import LearnStatus
 from maestra.rules.forms.base import Direction
 from maestra.rules.forms.length import FullRow
@@ -55,6 +50,7 @@ from maestra.rules.rule import Rule
 from maestra.rules.setting import play_of
 from maestra.rules.token_tests import has
 from tests.learning.caregivers import Caregiver, small
+from tests.learning.scripts import AMBIGUOUS, LEARNED, OUTSIDE, Install, row, scripted, slip
 
 RISING = Ordered("value", Direction.RISING, strict=True)
 FALLING = Ordered("value", Direction.FALLING, strict=True)
@@ -63,51 +59,9 @@ MEANT = ((FullRow(), RISING), (FullRow(), RED), (FullRow(),), (FullRow(), RED, F
 YES, NO, UNSURE = (Replied(reply) for reply in Reply)
 
 
-class Scripted:
-    """Stands for the learner: its lessons, one after another, the last one for good."""
-
-    def __init__(self, *scenes: tuple[Status, tuple[Slip, ...]]) -> None:
-        """Play `scenes`."""
-        self.scenes = list(scenes)
-        self.shown: list[tuple[str, ...]] = []
-
-    def learn(
-        self, shown: Sequence[Demonstration], answers: Sequence[Answer], seed: int = 0
-    ) -> Lesson:
-        """The next lesson; its rules are the ascending ones."""
-        self.shown.append(tuple("".join(m.token for m in one.moves) for one in shown))
-        status, slips = self.scenes.pop(0) if len(self.scenes) > 1 else self.scenes[0]
-        learned = learn(shown, (), seed)
-        rules = (FullRow(), RISING)
-        return replace(learned, status=status, slips=slips, answers=tuple(answers), rules=rules)
-
-
-def row(tokens: str) -> RowQuestion:
-    return RowQuestion(play_of(small(tokens)))
-
-
 @pytest.fixture(name="script")
-def a_script(monkeypatch: pytest.MonkeyPatch) -> type[Scripted]:
-    """A learner by script, and the rows abe, ade, bce, ... as questions."""
-
-    class Installed(Scripted):
-        def __init__(self, *scenes: tuple[Status, tuple[Slip, ...]]) -> None:
-            super().__init__(*scenes)
-            monkeypatch.setattr(module, "learn", self.learn)
-
-    def next_question(lesson: Lesson, kinds: object) -> Question | None:
-        assert kinds
-        asked = {answer.question for answer in lesson.answers}
-        rows = [row(tokens) for tokens in ("abe", "cba", "ade", "bce", "cde", "bde")]
-        return next((one for one in rows if one not in asked), None)
-
-    monkeypatch.setattr(module, "next_question", next_question)
-    return Installed
-
-
-AMBIGUOUS: tuple[Status, tuple[Slip, ...]] = (Status.AMBIGUOUS, ())
-LEARNED: tuple[Status, tuple[Slip, ...]] = (Status.LEARNED, ())
-OUTSIDE: tuple[Status, tuple[Slip, ...]] = (Status.OUTSIDE, ())
+def a_script(monkeypatch: pytest.MonkeyPatch) -> Install:
+    return lambda *scenes: scripted(monkeypatch, *scenes)
 
 
 def talk(dialogue: Dialogue, *events: module.Event) -> Dialogue:
@@ -116,14 +70,14 @@ def talk(dialogue: Dialogue, *events: module.Event) -> Dialogue:
     return dialogue
 
 
-def test_it_asks_nothing_when_it_is_sure(script: type[Scripted]) -> None:
+def test_it_asks_nothing_when_it_is_sure(script: Install) -> None:
     script(LEARNED)
     taught = begin([small("abc")])
     assert taught.ask == Finished(Ending.SURE, ())
     assert taught.status is LearnStatus.LEARNED
 
 
-def test_it_asks_until_it_is_sure(script: type[Scripted]) -> None:
+def test_it_asks_until_it_is_sure(script: Install) -> None:
     script(AMBIGUOUS, AMBIGUOUS, LEARNED)
     taught = begin([small("abc")])
     assert taught.ask == AskQuestion(row("abe"))
@@ -136,7 +90,7 @@ def test_it_asks_until_it_is_sure(script: type[Scripted]) -> None:
 
 
 @pytest.mark.parametrize("questions", [0, 1, 3, 5])
-def test_it_asks_no_more_than_it_may(script: type[Scripted], questions: int) -> None:
+def test_it_asks_no_more_than_it_may(script: Install, questions: int) -> None:
     script(AMBIGUOUS)
     taught = begin([small("abc")], terms=Terms(questions))
     for _ in range(questions):
@@ -152,9 +106,7 @@ def test_nobody_is_asked_more_than_five_questions(questions: int) -> None:
         Terms(questions)
 
 
-def test_it_stops_when_no_question_helps(
-    script: type[Scripted], monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_it_stops_when_no_question_helps(script: Install, monkeypatch: pytest.MonkeyPatch) -> None:
     script(AMBIGUOUS)
 
     def nothing(lesson: Lesson, kinds: object) -> None:
@@ -165,14 +117,14 @@ def test_it_stops_when_no_question_helps(
     assert begin([small("abc")]).ask == Finished(Ending.NOTHING_HELPS, ())
 
 
-def test_enough_is_enough_and_nothing_follows(script: type[Scripted]) -> None:
+def test_enough_is_enough_and_nothing_follows(script: Install) -> None:
     script(AMBIGUOUS)
     taught = step(begin([small("abc")]), Enough())
     assert taught.ask == Finished(Ending.TOLD_TO_STOP, ())
     assert step(taught, YES) is taught
 
 
-def test_after_a_no_to_a_row_it_asks_which_token_is_wrong(script: type[Scripted]) -> None:
+def test_after_a_no_to_a_row_it_asks_which_token_is_wrong(script: Install) -> None:
     script(AMBIGUOUS)
     before = Answer(row("abe"), Reply.UNSURE)
     taught = talk(begin([small("abc")], [before]), NO)
@@ -183,14 +135,14 @@ def test_after_a_no_to_a_row_it_asks_which_token_is_wrong(script: type[Scripted]
     assert taught.asked == 1
 
 
-def test_who_cannot_tell_which_token_is_wrong_says_so(script: type[Scripted]) -> None:
+def test_who_cannot_tell_which_token_is_wrong_says_so(script: Install) -> None:
     script(AMBIGUOUS)
     taught = talk(begin([small("abc")], [Answer(row("abe"), Reply.UNSURE)]), NO, CellIsWrong(None))
     assert taught.answers[1] == Answer(row("cba"), Reply.NO)
     assert isinstance(taught.ask, AskQuestion)
 
 
-def test_an_answer_that_denies_what_was_shown_is_put_beside_it(script: type[Scripted]) -> None:
+def test_an_answer_that_denies_what_was_shown_is_put_beside_it(script: Install) -> None:
     script(AMBIGUOUS)
     taught = talk(begin([small("cde"), small("abe")]), NO)
     contradiction = Contradiction(Shown(1), Said(0))
@@ -207,7 +159,7 @@ def test_an_answer_that_denies_what_was_shown_is_put_beside_it(script: type[Scri
     ],
 )
 def test_only_what_the_caregiver_picks_counts(
-    script: type[Scripted], side: Side, reply: Reply, counting: tuple[int, ...]
+    script: Install, side: Side, reply: Reply, counting: tuple[int, ...]
 ) -> None:
     learner = script(OUTSIDE)
     taught = talk(begin([small("cde"), small("abe")]), NO, Counts(side))
@@ -217,14 +169,14 @@ def test_only_what_the_caregiver_picks_counts(
     assert taught.contradictions == ()
 
 
-def test_an_answer_that_was_dropped_is_not_asked_for_again(script: type[Scripted]) -> None:
+def test_an_answer_that_was_dropped_is_not_asked_for_again(script: Install) -> None:
     script(AMBIGUOUS)
     taught = talk(begin([small("cde"), small("abe")]), NO, Counts(Side.EARLIER))
     assert taught.ask == AskQuestion(row("cba"))
 
 
 def test_an_answer_that_the_rules_do_not_agree_with_is_put_beside_them(
-    script: type[Scripted],
+    script: Install,
 ) -> None:
     script(AMBIGUOUS)
     taught = talk(begin([small("bde")]), NO)
@@ -240,14 +192,14 @@ def test_an_answer_that_the_rules_do_not_agree_with_is_put_beside_them(
     assert giving_in.contradictions == ()
 
 
-def test_rules_that_are_only_a_guess_overrule_nobody(script: type[Scripted]) -> None:
+def test_rules_that_are_only_a_guess_overrule_nobody(script: Install) -> None:
     script(OUTSIDE)
     taught = talk(begin([small("bde")]), NO)
     assert taught.contradictions == ()
     assert taught.ask == AskCell(0)
 
 
-def test_nothing_is_learned_while_something_is_contradictory(script: type[Scripted]) -> None:
+def test_nothing_is_learned_while_something_is_contradictory(script: Install) -> None:
     script(AMBIGUOUS, LEARNED)
     taught = talk(begin([small("abe")]), NO, Enough())
     assert isinstance(taught.ask, Finished)
@@ -255,7 +207,7 @@ def test_nothing_is_learned_while_something_is_contradictory(script: type[Script
     assert taught.status is LearnStatus.CONTRADICTORY
 
 
-def test_who_knows_only_questions_is_asked_again(script: type[Scripted]) -> None:
+def test_who_knows_only_questions_is_asked_again(script: Install) -> None:
     script(AMBIGUOUS)
     terms = Terms(follow_ups=False)
     taught = talk(begin([small("cde"), small("abe")], terms=terms), NO)
@@ -270,25 +222,21 @@ def test_who_knows_only_questions_is_asked_again(script: type[Scripted]) -> None
 
 
 def test_who_knows_only_questions_is_not_asked_which_token_is_wrong(
-    script: type[Scripted],
+    script: Install,
 ) -> None:
     script(OUTSIDE)
     taught = talk(begin([small("bde")], terms=Terms(follow_ups=False)), NO)
     assert isinstance(taught.ask, AskQuestion)
 
 
-def test_without_budget_a_contradiction_is_left_and_named(script: type[Scripted]) -> None:
+def test_without_budget_a_contradiction_is_left_and_named(script: Install) -> None:
     script(AMBIGUOUS)
     taught = talk(begin([small("abe")], terms=Terms(1, follow_ups=False)), NO)
     unsettled = (Contradiction(Shown(0), Said(0)),)
     assert taught.ask == Finished(Ending.ASKED_ENOUGH, unsettled)
 
 
-def slip(demonstration: int) -> Slip:
-    return Slip(demonstration, 1, 0.9)
-
-
-def test_a_likely_mistake_is_asked_about_once(script: type[Scripted]) -> None:
+def test_a_likely_mistake_is_asked_about_once(script: Install) -> None:
     script((Status.LEARNED, (slip(1),)))
     taught = begin([small("abc"), small("bac")])
     assert taught.ask == AskSlip(slip(1))
@@ -298,7 +246,7 @@ def test_a_likely_mistake_is_asked_about_once(script: type[Scripted]) -> None:
     assert taught.ask == Finished(Ending.SURE, ())
 
 
-def test_a_demonstration_that_is_taken_back_does_not_count(script: type[Scripted]) -> None:
+def test_a_demonstration_that_is_taken_back_does_not_count(script: Install) -> None:
     learner = script((Status.LEARNED, (slip(0),)), (Status.LEARNED, (slip(0),)), LEARNED)
     shown = [small("bac"), small("cab"), small("abc")]
     taught = begin(shown)
@@ -312,27 +260,27 @@ def test_a_demonstration_that_is_taken_back_does_not_count(script: type[Scripted
     assert taught.counting == (2, 3)
 
 
-def test_who_takes_everything_back_is_left_with_nothing(script: type[Scripted]) -> None:
+def test_who_takes_everything_back_is_left_with_nothing(script: Install) -> None:
     script((Status.LEARNED, (slip(0),)))
     taught = talk(begin([small("abc")]), SlipReplied(SlipReply.TAKEN_BACK))
     assert taught.ask == Finished(Ending.NOTHING_LEFT, ())
 
 
-def test_who_knows_only_questions_is_not_asked_about_mistakes(script: type[Scripted]) -> None:
+def test_who_knows_only_questions_is_not_asked_about_mistakes(script: Install) -> None:
     script((Status.LEARNED, (slip(0),)))
     taught = begin([small("abc")], terms=Terms(follow_ups=False))
     assert taught.ask == Finished(Ending.SURE, ())
 
 
 @pytest.mark.parametrize("event", [CellIsWrong(0), Counts(Side.LATER), ShownAgain(small("abc"))])
-def test_a_reply_to_something_else_is_refused(script: type[Scripted], event: module.Event) -> None:
+def test_a_reply_to_something_else_is_refused(script: Install, event: module.Event) -> None:
     script(AMBIGUOUS)
     with pytest.raises(NotAskedError):
         step(begin([small("abc")]), event)
 
 
 def test_only_the_kinds_that_may_be_asked_are(
-    script: type[Scripted], monkeypatch: pytest.MonkeyPatch
+    script: Install, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     script(AMBIGUOUS)
     seen: list[object] = []

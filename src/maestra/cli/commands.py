@@ -10,7 +10,8 @@ from typing import Annotated, Final
 import typer
 
 from maestra import __version__
-from maestra.cli import experiment
+from maestra.cli import experiment, teach_commands
+from maestra.cli.options import ExerciseFile, Json, Lang, LanguageName, Words
 
 _HELP: Final = """Teach a tabletop exercise by showing it, read its rules, judge plays of it.
 
@@ -29,10 +30,15 @@ app.add_typer(experiment.app, name="experiment")
 
 
 class Learner(Enum):
-    """How preconditions are learned."""
+    """How an exercise is learned: its rules, or the preconditions of the paper's actions."""
 
     GROUNDED = "grounded"
     COMPILED = "compiled"
+    FEWSHOT = "fewshot"
+
+
+DEFAULT_LEARNER: Final = Learner.GROUNDED
+"""Of `learn` and `demo`."""
 
 
 class LevelName(Enum):
@@ -43,31 +49,12 @@ class LevelName(Enum):
     C = "C"
 
 
-class LanguageName(Enum):
-    """The languages that Maestra speaks."""
-
-    ENGLISH = "en"
-    SPANISH = "es"
-    CATALAN = "ca"
-
-
 class Engine(Enum):
     """Planners for the learner `compiled`."""
 
     CLINGO = "clingo"
     FAST_DOWNWARD = "fast-downward"
     MADAGASCAR = "madagascar"
-
-
-ExerciseFile = Annotated[
-    str, typer.Argument(metavar="EXERCISE.json", help="An exercise that `learn` wrote.")
-]
-Lang = Annotated[LanguageName, typer.Option("--lang", help="The language of sentences.")]
-Json = Annotated[bool, typer.Option("--json", help="Print JSON and nothing else.")]
-Words = Annotated[
-    str | None,
-    typer.Option("--words", metavar="FILE", help="Your own words for attributes and values."),
-]
 
 
 @app.callback(invoke_without_command=True)
@@ -96,8 +83,12 @@ def learn(
         str, typer.Option("--output", "-o", metavar="EXERCISE.json", help="Where to write it.")
     ],
     learner: Annotated[
-        Learner, typer.Option(help="Directly, or by planning as in the paper.")
-    ] = Learner.GROUNDED,
+        Learner,
+        typer.Option(
+            help="The paper's preconditions directly, or by planning as in the paper; or rules "
+            "from a few demonstrations."
+        ),
+    ] = DEFAULT_LEARNER,
     features: Annotated[
         str | None,
         typer.Option(metavar="NAME,NAME", help="The features that count; `features` lists them."),
@@ -130,11 +121,18 @@ def learn(
     json: Json = False,
 ) -> None:
     """Learn an exercise from demonstrations."""
-    if learner is Learner.GROUNDED and (engine is not None or compiled_pddl is not None):
+    if learner is not Learner.COMPILED and (engine is not None or compiled_pddl is not None):
         option = "--compiled-pddl" if engine is None else "--engine"
         raise typer.BadParameter(f"{option} needs --learner compiled")
     if json and output == "-":
         raise typer.BadParameter("--json and --output - both want standard output")
+    if learner is Learner.FEWSHOT:
+        if features is not None:
+            raise typer.BadParameter("--features needs --learner grounded or compiled")
+        from maestra.cli import teaching
+
+        teaching.learn_by_few(demonstrations, output, lang.value, words, as_json=json)
+        return
     from maestra.cli import learning
 
     planning = None
@@ -144,6 +142,10 @@ def learn(
     names = None if features is None else tuple(features.split(","))
     request = learning.Request(demonstrations, output, names, level.value, planning)
     learning.learn(request, lang.value, words, as_json=json)
+
+
+app.command()(teach_commands.teach)
+app.command()(teach_commands.exam)
 
 
 @app.command()

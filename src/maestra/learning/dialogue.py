@@ -222,8 +222,13 @@ class Dialogue:
     @property
     def status(self) -> LearnStatus:
         """What it came to; nothing is learned while something is contradictory."""
-        if isinstance(self.ask, Finished) and self.ask.unsettled:
-            return LearnStatus.CONTRADICTORY
+        match self.ask:
+            case Finished(Ending.NOTHING_LEFT):
+                return LearnStatus.AMBIGUOUS
+            case Finished(_, unsettled) if unsettled:
+                return LearnStatus.CONTRADICTORY
+            case _:
+                pass
         return LearnStatus(self.lesson.status.value)
 
 
