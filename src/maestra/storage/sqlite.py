@@ -27,7 +27,7 @@ from maestra.storage.vault import flush_folder
 FILE_NAME: Final = "maestra.db"
 _BUSY_S: Final = 5.0
 """How long to wait for others to finish reading before a log can be cut off."""
-_PRAGMAS: Final = (
+PRAGMAS: Final = (
     "journal_mode = WAL",
     "synchronous = FULL",  # NORMAL loses acknowledged events in a power cut
     "secure_delete = ON",
@@ -105,7 +105,7 @@ class SqliteDatabase:
         connection = self._driver.connect(
             file, uri=file.startswith("file:"), isolation_level=None, check_same_thread=False
         )
-        for pragma in _PRAGMAS:
+        for pragma in PRAGMAS:
             connection.execute(f"PRAGMA {pragma}").fetchall()
         return cast("DBAPIConnection", connection)
 
