@@ -65,7 +65,8 @@ class NewEntry:
     kind: str
     """``start``, ``event`` or ``commands``."""
     payload: str
-    """JSON."""
+    """JSON: of a start an object with at least ``seed`` and ``maestra``, the program's version; of
+    an event what `encode_event` gives; of commands the list that `encode_commands` gives."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -86,6 +87,7 @@ class EventStore(Protocol):
 
         Raises:
             OSError: they cannot be kept.
+            KeyError: their session has not been saved, so nobody knows whose they are.
         """
         ...
 
