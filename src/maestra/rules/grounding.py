@@ -18,9 +18,14 @@ from typing import Final
 
 from maestra.core.board import Cell
 from maestra.core.faults import Fault, InvalidError
-from maestra.core.tokens import TokenId
+from maestra.core.tokens import Deck, TokenId
 from maestra.rules.exercise import GroundedExercise, Provenance, RuledExercise
-from maestra.rules.features import Feature, select_features
+from maestra.rules.features import (
+    Feature,
+    UnknownFeatureError,
+    feature_names,
+    select_features,
+)
 from maestra.rules.fitting import needs_of
 from maestra.rules.ground_truth import ground_truth
 from maestra.rules.right_plays import Placement, Placements, RightPlays
@@ -30,8 +35,9 @@ from maestra.rules.strips.actions import ActionModel
 from maestra.rules.strips.vocabulary import Level, Vocabulary
 from maestra.rules.summaries.accepted import is_about_sources, plays_keeping
 
-MAX_TRIED: Final = 400_000
-"""Placements looked at before it is given up: some seconds; all rows of the paper's board."""
+MAX_TRIED: Final = 150_000
+"""Placements looked at before it is given up: some seconds. The paper's board has 36,100 rows and
+beginnings of rows, filled from the left."""
 _ORIGINS: Final = (ORIGIN_ROW, ORIGIN_COLUMN)
 
 
@@ -42,15 +48,31 @@ def grounded_from(exercise: RuledExercise) -> GroundedExercise:
         InvalidError: no preconditions say the same, or there are too many plays to be compared.
     """
     plays = _right_plays(exercise)
-    features = select_features(exercise.deck, None)
-    for level in (Level.A, Level.B):
-        model = _model(exercise, plays, level, features)
-        if model is not None:
-            whole = Provenance(sum(len(group.tokens) for group in plays.groups), ())
-            provenance = dict.fromkeys(model.preconditions, whole)
-            return GroundedExercise(model, provenance, plays.lengths, whole.seen)
-    found = "rules that preconditions of single cells cannot say"
-    raise InvalidError([Fault("rules", found, "rules about what lies beside what, or where")])
+    few, many = select_features(exercise.deck, None), _features(exercise.deck)
+    # The strictest actions decide whether there are any; then fewer literals may do.
+    model = _model(exercise, plays, Level.B, many)
+    if model is None:
+        found = "rules that preconditions of single cells cannot say"
+        raise InvalidError([Fault("rules", found, "rules about what lies beside what, or where")])
+    for level, features in ((Level.A, few), (Level.A, many), (Level.B, few)):
+        smaller = _model(exercise, plays, level, features)
+        if smaller is not None:
+            model = smaller
+            break
+    whole = Provenance(sum(len(group.tokens) for group in plays.groups), ())
+    provenance = dict.fromkeys(model.preconditions, whole)
+    return GroundedExercise(model, provenance, plays.lengths, whole.seen)
+
+
+def _features(deck: Deck) -> tuple[Feature, ...]:
+    """All features of the deck but those with a parameter."""
+    chosen = dict.fromkeys(select_features(deck, None))
+    for name in feature_names(deck):
+        try:
+            chosen |= dict.fromkeys(select_features(deck, [name]))
+        except UnknownFeatureError:
+            continue
+    return tuple(chosen)
 
 
 def _right_plays(exercise: RuledExercise) -> RightPlays:
