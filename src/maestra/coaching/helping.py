@@ -125,6 +125,7 @@ def no_way_on(turn: Turn) -> None:
     """Nothing may be moved, and the exercise may not end: only the caregiver can help."""
     asked = turn.session.question
     turn.change(prompt_at=Milliseconds(turn.session.now + patience(turn)))
+    turn.note(Note.NO_WAY_ON, step=len(turn.session.position.moves) + 1)
     turn.say(CoachKey.I_AM_HERE)
     if asked is None or asked[1] is not Matter.NO_WAY_ON:
         turn.ask(Matter.NO_WAY_ON, AskKey.NO_WAY_ON)

@@ -60,6 +60,8 @@ def step(session: Session, event: Event, now: Milliseconds) -> tuple[Session, Co
             caregiving.begin(turn)
         if not (begins and isinstance(event, Begun)):
             _answer(turn, event)
+    if not turn.commands and not isinstance(event, TimePassed):
+        turn.note(Note.HEARD, event=event.event)
     return turn.session, turn.commands
 
 

@@ -54,6 +54,7 @@ _TARGETS: Final = MappingProxyType(
 """How likely a first attempt should be right."""
 _RISE: Final = 0.2
 """By how much that rises with each attempt that failed."""
+_RISE_BY_STRAIN: Final = 0.15
 _HIGHEST_TARGET: Final = 0.9
 _NO_BETTER: Final = 0.1
 """A level that promises this much less than the best one is as good: it helps less."""
@@ -75,6 +76,10 @@ class Outcome(Enum):
     RIGHT = "right"
     WRONG = "wrong"
     SILENCE = "silence"
+
+
+_STRAIN: Final = MappingProxyType({Outcome.RIGHT: -2, Outcome.WRONG: 2, Outcome.SILENCE: 1})
+"""What each outcome adds, in halves of an error."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -140,6 +145,8 @@ class Adaptive:
     """By level: of `PRIOR_WORTH` attempts how many were expected to be right."""
     target: float
     """How likely the next attempt should be right."""
+    strain: Annotated[StrictInt, Field(ge=0)] = 0
+    """How badly this session has gone lately, in halves of an error."""
     seen: dict[str, _Counts] = field(default_factory=dict[str, _Counts])
     """For each situation that occurred, by level: right and other outcomes."""
     policy: Literal["adaptive"] = field(default="adaptive", kw_only=True, repr=False)
@@ -185,6 +192,8 @@ def learn(policy: Policy, situation: Situation, level: int, outcome: Outcome) ->
                 return Ladder(min(at + 1, MAX_LEVEL))
             return Ladder(max(at - 1, 0)) if row else replace(policy, row=1)
         case Adaptive():
+            strain = max(0, policy.strain + _STRAIN[outcome])
+            policy = replace(policy, strain=strain)
             if outcome is Outcome.SILENCE and situation.last is not Outcome.SILENCE:
                 return policy
             right = outcome is Outcome.RIGHT
@@ -192,6 +201,11 @@ def learn(policy: Policy, situation: Situation, level: int, outcome: Outcome) ->
             return replace(policy, seen={**policy.seen, _name(situation): counts})
         case _:
             assert_never(policy)
+
+
+def rested(policy: Policy) -> Policy:
+    """The policy when the next session begins: what it learned stays, the strain is gone."""
+    return replace(policy, strain=0) if isinstance(policy, Adaptive) else policy
 
 
 def likelihood(policy: Adaptive, situation: Situation, level: int) -> float:
@@ -203,7 +217,8 @@ def likelihood(policy: Adaptive, situation: Situation, level: int) -> float:
 def _least_sufficient(
     policy: Adaptive, situation: Situation, limits: Limits, chance: Chance
 ) -> tuple[int, Chance]:
-    target = min(policy.target + _RISE * (situation.attempt - 1), _HIGHEST_TARGET)
+    rise = _RISE * (situation.attempt - 1) + _RISE_BY_STRAIN * policy.strain
+    target = min(policy.target + rise, _HIGHEST_TARGET)
     drawn: dict[int, float] = {}
     for level in range(limits.least, limits.most + 1):
         drawn[level], chance = _draw(*_beta(policy, situation, level), chance)

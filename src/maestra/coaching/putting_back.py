@@ -43,7 +43,9 @@ def remind(turn: Turn) -> None:
 
 
 def _helpers(turn: Turn) -> tuple[Helper, ...]:
-    able = turn.session.robot_able
+    """Who can be asked now, in turn."""
+    token = _first(turn)
+    able = turn.session.robot_able and token in turn.session.table.cells and _is_free(turn, token)
     return tuple(
         one for one in turn.game.settings.ready_helpers if able or one is not Helper.ROBOT
     )
@@ -52,9 +54,7 @@ def _helpers(turn: Turn) -> tuple[Helper, ...]:
 def _ask(turn: Turn, helper: Helper) -> None:
     token = _first(turn)
     home = turn.session.position.now.cells[token]
-    lies = turn.session.table.cells.get(token)
-    if helper is Helper.ROBOT and (lies is None or not _is_free(turn, token)):
-        helper = Helper.CAREGIVER
+    lies = turn.session.table.cells.get(token, home)
     turn.note(Note.PUT_BACK_ASKED, helper=helper.value, token=token)
     number: int | None = None
     named = turn.named(token)
@@ -62,10 +62,10 @@ def _ask(turn: Turn, helper: Helper) -> None:
         case Helper.ROBOT:
             number = turn.number()
             turn.say(CoachKey.I_PUT_BACK, token=named)
-            turn.command(MoveToken(number, token, lies or home, home))
+            turn.command(MoveToken(number, token, lies, home))
         case Helper.PATIENT:
             turn.say(CoachKey.PLEASE_PUT_BACK, token=named, place=Place(home))
-            turn.point((home,) if lies is None else (lies, home))
+            turn.point(dict.fromkeys((lies, home)))
             turn.show(View.PUT_BACK, (token,))
         case Helper.CAREGIVER:
             turn.say(CoachKey.HELP_COMES)

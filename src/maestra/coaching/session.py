@@ -9,7 +9,7 @@ from typing import Final
 from maestra.coaching.chance import Chance
 from maestra.coaching.commands import Matter
 from maestra.coaching.fields import Milliseconds
-from maestra.coaching.policies import Limits, Outcome, Policy, Situation, policy_for
+from maestra.coaching.policies import Limits, Outcome, Policy, Situation, policy_for, rested
 from maestra.coaching.referee import Referee
 from maestra.coaching.settings import Helper, Settings
 from maestra.coaching.table import Table
@@ -173,7 +173,7 @@ def new_session(game: Game, policy: Policy | None = None) -> Session:
         game,
         Position.begin(game.start),
         Table.of(game.start),
-        policy_for(game.settings) if policy is None else policy,
+        policy_for(game.settings) if policy is None else rested(policy),
         Voice(Chance(game.seed)),
     )
 
