@@ -11,7 +11,7 @@ from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 from types import ModuleType
-from typing import Any, Final, cast
+from typing import Any, Final
 
 import apsw
 
@@ -189,7 +189,7 @@ class _Cursor:
             return True
 
         raw.exec_trace = note
-        run = cast("Callable[..., Iterable[tuple[Any, ...]]]", raw.execute)
+        run: Callable[..., Iterable[tuple[Any, ...]]] = getattr(raw, "execute")  # noqa: B009 - apsw's stub leaves its arguments open
         try:
             self._rows = list(run(statement, tuple(parameters)))
         except apsw.Error as error:
