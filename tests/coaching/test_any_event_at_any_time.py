@@ -21,9 +21,9 @@ from maestra.coaching.commands import (
 )
 from maestra.coaching.events import (
     Answered,
+    Begun,
     BoardBack,
     BoardLost,
-    Begun,
     DoneSaid,
     EndOrdered,
     Event,

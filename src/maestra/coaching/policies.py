@@ -56,7 +56,7 @@ _RISE: Final = 0.2
 """By how much that rises with each attempt that failed."""
 _RISE_BY_STRAIN: Final = 0.15
 _HIGHEST_TARGET: Final = 0.9
-_NO_BETTER: Final = 0.1
+_NO_BETTER: Final = 0.15
 """A level that promises this much less than the best one is as good: it helps less."""
 _FIRST_RIGHT: Final[Mapping[Mental, tuple[int, ...]]] = MappingProxyType(
     {
