@@ -8,11 +8,13 @@ from dataclasses import dataclass, replace
 import typer
 
 from maestra.cli.answer_lines import ENOUGH, AnswerLines
+from maestra.cli.lesson_of_rules import ruled_lines
 from maestra.cli.loading import words_in
 from maestra.cli.outputs import Output, Said, Tone
 from maestra.cli.ruled_file import ruled_exercise_in
 from maestra.cli.screen import Screen
 from maestra.cli.streams import print_json, write_file
+from maestra.cli.taught_lesson import speech_of
 from maestra.cli.teach_lines import REPLIES, played_json
 from maestra.cli.teach_telling import as_demonstration, drawn, how_to
 from maestra.cli.teach_words import word_typed
@@ -122,13 +124,13 @@ def told(outcome: Outcome, teacher: Teacher) -> Iterator[Output]:
         if outcome.objected:
             yield Said(teacher.say(Key.ONLY_TOLD), Tone.WRONG)
         return
-    if outcome.changes == Changes():
-        yield Said(teacher.say(Key.UNCHANGED), Tone.WRONG)
-        return
-    yield Said(teacher.say(Key.CHANGED))
+    is_same = outcome.changes == Changes()
+    yield Said(teacher.say(Key.UNCHANGED if is_same else Key.CHANGED))
     yield from (Said(f"- {teacher.rule(rule)}", Tone.ASIDE) for rule in outcome.changes.dropped)
     yield from (Said(f"+ {teacher.rule(rule)}", Tone.NEW) for rule in outcome.changes.added)
-    yield Said(teacher.say(Key.EXAMINE_AGAIN))
+    yield Said(teacher.say(Key.NOW), Tone.HEADING)
+    yield from (Said(line) for line in ruled_lines(outcome.exercise, speech_of(teacher)))
+    yield Said(teacher.say(Key.EXAMINE_AGAIN), Tone.HEADING)
 
 
 def _truth(outcome: Outcome, teacher: Teacher) -> Iterator[str]:

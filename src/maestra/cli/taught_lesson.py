@@ -3,24 +3,22 @@
 from collections.abc import Iterator, Sequence
 from typing import Final
 
+from maestra.cli.lesson import Speech
+from maestra.cli.lesson_of_rules import ruled_json
 from maestra.cli.outputs import Output, Said, Tone
 from maestra.language.teaching import Teacher
 from maestra.language.teaching_keys import TeachKey as Key
 from maestra.learning.fewshot.lesson import Lesson
-from maestra.rules.exercise import LearnStatus
+from maestra.rules.exercise import RuledExercise
 from maestra.rules.setting import play_of
 
-MAX_MAYBE: Final = 3
-"""Alternatives that a person reads; a program gets all."""
-MIN_WEIGHT: Final = 0.05
-"""An alternative that is less likely than that is not worth a sentence."""
 _DIGITS: Final = 4
 """Of a confidence in JSON."""
 
 
 def lesson_json(
+    exercise: RuledExercise,
     lesson: Lesson,
-    status: LearnStatus,
     teacher: Teacher,
     seconds: float,
     counting: Sequence[int] | None = None,
@@ -28,27 +26,23 @@ def lesson_json(
     """The lesson as `learn --json` prints it.
 
     Args:
+        exercise: what it came to.
         lesson: what was learned.
-        status: what it came to in the end.
         teacher: who says it.
         seconds: how long it took.
         counting: the numbers of the demonstrations that it was learned from; None: all.
     """
     return {
-        "status": status.value,
-        "rules": rules_json(lesson, teacher),
-        "alternatives": [
-            {
-                "rules": [{"id": one.id, "text": one.text} for one in teacher.rules(other.rules)],
-                "weight": _share(other.weight),
-            }
-            for other in lesson.alternatives
-        ],
+        **ruled_json(exercise, speech_of(teacher)),
         "slips": slips_json(lesson, teacher, counting),
         "seconds": seconds,
-        "confidence": _share(lesson.confidence),
         "demonstrations": len(lesson.demonstrations),
     }
+
+
+def speech_of(teacher: Teacher) -> Speech:
+    """The same language and words, for what is said of any exercise."""
+    return Speech(teacher.language, teacher.lexicon)
 
 
 def rules_json(lesson: Lesson, teacher: Teacher) -> list[dict[str, object]]:
@@ -86,25 +80,6 @@ def understood(lesson: Lesson, teacher: Teacher) -> Iterator[Output]:
         yield Said(f"  {teacher.say(Key.NO_RULE_YET)}")
     for rule, sure in zip(lesson.rules, lesson.confidences, strict=True):
         yield Said(f"  {teacher.rule(rule)} ({min(sure, 1):.0%})")
-
-
-def verdict(lesson: Lesson, status: LearnStatus, teacher: Teacher) -> Iterator[Output]:
-    """How sure it is in the end, and what else it may be."""
-    match status:
-        case LearnStatus.LEARNED | LearnStatus.TOLD:
-            yield Said(teacher.say(Key.SURE), Tone.GOOD)
-        case LearnStatus.AMBIGUOUS:
-            yield Said(teacher.say(Key.NOT_SURE), Tone.WRONG)
-            likely = [one for one in lesson.alternatives if one.weight >= MIN_WEIGHT]
-            if likely:
-                yield Said(teacher.say(Key.MAYBE))
-            for other in likely[:MAX_MAYBE]:
-                text = " ".join(teacher.rule(rule) for rule in other.rules)
-                yield Said(f"  - {text} ({min(other.weight, 1):.0%})", Tone.ASIDE)
-        case LearnStatus.OUTSIDE:
-            yield Said(teacher.say(Key.OUTSIDE), Tone.WRONG)
-        case LearnStatus.CONTRADICTORY:
-            yield Said(teacher.say(Key.CONTRADICTORY), Tone.WRONG)
 
 
 def _share(share: float) -> float:

@@ -28,7 +28,9 @@ from maestra.learning.dialogue import (
     SlipReplied,
     SlipReply,
 )
+from maestra.learning.taught import taught_exercise
 from maestra.rules.answers import MoveQuestion, Question, Reply, RowQuestion, RuleQuestion
+from maestra.rules.exercise import RuledExercise
 from maestra.rules.rule_json import encode_rule
 
 REPLIES = tuple(reply.value for reply in Reply)
@@ -73,14 +75,17 @@ class TeachLines:
             case Finished():
                 return Enough()
 
-    def finish(self, dialogue: Dialogue, end: Finished, seconds: float) -> None:
+    def finish(
+        self, dialogue: Dialogue, end: Finished, exercise: RuledExercise | None, seconds: float
+    ) -> None:
         """The last line."""
-        status, teacher = dialogue.status, self._teacher
-        lesson = lesson_json(dialogue.lesson, status, teacher, seconds, dialogue.counting)
+        teacher, lesson = self._teacher, dialogue.lesson
+        # Where nothing is left, the line still has what was learned before.
+        exercise = exercise or taught_exercise(lesson, dialogue.status)
         print_json(
             {
                 "type": "learned",
-                **lesson,
+                **lesson_json(exercise, lesson, teacher, seconds, dialogue.counting),
                 "questions": dialogue.asked,
                 "ending": end.ending.value,
                 "contradictions": [

@@ -2,8 +2,9 @@
 
 from collections.abc import Iterator
 
+from maestra.cli.lesson_of_rules import ruled_lines
 from maestra.cli.outputs import Drawn, Output, Said, Tone
-from maestra.cli.taught_lesson import understood, verdict
+from maestra.cli.taught_lesson import speech_of, understood
 from maestra.core.demonstration import Demonstration
 from maestra.language.teaching import Teacher
 from maestra.language.teaching_keys import TeachKey as Key
@@ -16,10 +17,10 @@ from maestra.learning.dialogue import (
     AskSlip,
     AskWhichCounts,
     Dialogue,
-    Ending,
     Finished,
 )
 from maestra.rules.answers import MoveQuestion, Question, RowQuestion, RuleQuestion
+from maestra.rules.exercise import RuledExercise
 from maestra.rules.setting import Play, play_of
 
 
@@ -110,14 +111,22 @@ def asking(dialogue: Dialogue, teacher: Teacher) -> Iterator[Output]:
             yield Said(f"  2  {later}")
             yield text
             yield how_to(teacher, Key.HOW_TO_PICK)
-        case Finished(Ending.NOTHING_LEFT):
-            yield Said(teacher.say(Key.NOTHING_LEFT), Tone.WRONG)
-        case Finished(_, unsettled):
-            yield from understood(dialogue.lesson, teacher)
-            yield from verdict(dialogue.lesson, dialogue.status, teacher)
-            for contradiction in unsettled:
-                for said in moments(dialogue, contradiction, teacher):
-                    yield Said(f"  - {said}", Tone.ASIDE)
+        case Finished():
+            return
+
+
+def ended(
+    dialogue: Dialogue, end: Finished, exercise: RuledExercise | None, teacher: Teacher
+) -> Iterator[Output]:
+    """What a person reads when nothing more is asked; None: nothing is left to learn from."""
+    if exercise is None:
+        yield Said(teacher.say(Key.NOTHING_LEFT), Tone.WRONG)
+        return
+    yield Said(teacher.say(Key.NOW), Tone.HEADING)
+    yield from (Said(line) for line in ruled_lines(exercise, speech_of(teacher)))
+    for contradiction in end.unsettled:
+        yield Said(teacher.say(Key.DISAGREE), Tone.WRONG)
+        yield from (Said(f"- {one}") for one in moments(dialogue, contradiction, teacher))
 
 
 def how_to(teacher: Teacher, key: Key) -> Said:

@@ -4,8 +4,7 @@ from collections.abc import Iterator
 
 from maestra.cli.outputs import Drawn, Output, Said, Tone
 from maestra.cli.screen import Screen
-from maestra.cli.taught_lesson import understood, verdict
-from maestra.cli.teach_telling import asking
+from maestra.cli.teach_telling import asking, ended
 from maestra.cli.teach_words import event_typed, row_typed, word_typed
 from maestra.core.demonstration import Demonstration
 from maestra.language.phrases import Joint, Listing, Named
@@ -13,6 +12,7 @@ from maestra.language.teaching import Teacher
 from maestra.language.teaching_keys import TeachKey as Key
 from maestra.language.terminal import TerminalKey, terminal_sentence
 from maestra.learning.dialogue import AskSlip, Dialogue, Enough, Event, Finished, ShownAgain
+from maestra.rules.exercise import RuledExercise
 
 _MENDING = (Key.TYPE_YES, Key.TYPE_NO, Key.TYPE_AGAIN, Key.TYPE_ENOUGH)
 
@@ -40,9 +40,15 @@ class TeachTerminal:
                 self._show([Said(self._teacher.say(Key.NOT_UNDERSTOOD), Tone.WRONG)])
         return Enough()
 
-    def finish(self, dialogue: Dialogue, end: Finished, seconds: float) -> None:  # noqa: ARG002 - only programs are told more
+    def finish(
+        self,
+        dialogue: Dialogue,
+        end: Finished,
+        exercise: RuledExercise | None,
+        seconds: float,  # noqa: ARG002 - only programs are told how long it took
+    ) -> None:
         """Say what it came to."""
-        self._show(asking(dialogue, self._teacher))
+        self._show(ended(dialogue, end, exercise, self._teacher))
 
     def _means_again(self, line: str) -> bool:
         return word_typed(line, _MENDING, self._teacher.language) is Key.TYPE_AGAIN
@@ -65,12 +71,3 @@ class TeachTerminal:
 
     def _show(self, outputs: "Iterator[Output] | list[Output]") -> None:
         self._screen.show(tuple(outputs))
-
-
-def plain_lines(dialogue: Dialogue, teacher: Teacher) -> Iterator[str]:
-    """What was learned without asking, as `maestra learn` prints it."""
-    outputs = (
-        *understood(dialogue.lesson, teacher),
-        *verdict(dialogue.lesson, dialogue.status, teacher),
-    )
-    yield from (one.text for one in outputs if isinstance(one, Said))

@@ -8,13 +8,14 @@ from dataclasses import dataclass, field
 import typer
 
 from maestra.cli.faults_at import at_line
+from maestra.cli.lesson_of_rules import ruled_lines
 from maestra.cli.loading import words_in
 from maestra.cli.ruled_file import ruled_exercise_in
 from maestra.cli.shown_file import shown_in
 from maestra.cli.streams import STANDARD, print_json, print_lines, write_file
-from maestra.cli.taught_lesson import lesson_json
+from maestra.cli.taught_lesson import lesson_json, speech_of
 from maestra.cli.teach_lines import TeachLines
-from maestra.cli.teach_terminal import TeachTerminal, plain_lines
+from maestra.cli.teach_terminal import TeachTerminal
 from maestra.cli.terms import THE_ANSWER_IS_NO
 from maestra.core.demonstration import Demonstration
 from maestra.core.faults import Fault
@@ -107,12 +108,12 @@ def teach(request: Request, language: str, words_file: str | None) -> None:
     dialogue = watch.begin(shown, before, terms)
     while not isinstance(dialogue.ask, Finished):
         dialogue = watch.step(dialogue, ask.event(dialogue))
-    is_something_left = dialogue.ask.ending is not Ending.NOTHING_LEFT
-    if is_something_left:
+    exercise = None
+    if dialogue.ask.ending is not Ending.NOTHING_LEFT:
         exercise = taught_exercise(dialogue.lesson, dialogue.status, before.exams)
         write_file(request.output, encode_exercise(exercise))
-    ask.finish(dialogue, dialogue.ask, watch.seconds)
-    if is_something_left and not request.by_lines:
+    ask.finish(dialogue, dialogue.ask, exercise, watch.seconds)
+    if exercise is not None and not request.by_lines:
         print_lines(saved(request.output, teacher))
     if dialogue.status is not LearnStatus.LEARNED:
         raise typer.Exit(THE_ANSWER_IS_NO)
@@ -126,17 +127,17 @@ def learn_by_few(
     shown = demonstrations_in(demonstrations, Before())
     watch = Stopwatch()
     dialogue = watch.begin(shown, Before(), Terms(questions=0, follow_ups=False))
-    write_file(output, encode_exercise(taught_exercise(dialogue.lesson)))
+    exercise = taught_exercise(dialogue.lesson)
+    write_file(output, encode_exercise(exercise))
     teacher = teacher_for(shown, Language(language), words)
-    status = dialogue.status
     if as_json:
-        print_json(lesson_json(dialogue.lesson, status, teacher, watch.seconds))
+        print_json(lesson_json(exercise, dialogue.lesson, teacher, watch.seconds))
     else:
         # The exercise itself may go to standard output.
         place = sys.stderr if output == STANDARD else sys.stdout
-        lines = [*plain_lines(dialogue, teacher), *saved(output, teacher)]
+        lines = [*ruled_lines(exercise, speech_of(teacher)), *saved(output, teacher)]
         place.writelines(f"{line}\n" for line in lines)
-    if status is not LearnStatus.LEARNED:
+    if dialogue.status is not LearnStatus.LEARNED:
         raise typer.Exit(THE_ANSWER_IS_NO)
 
 

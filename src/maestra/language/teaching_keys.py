@@ -36,11 +36,6 @@ class TeachKey(Enum):
     # what it comes to
     SO_FAR = "so-far"
     NO_RULE_YET = "no-rule-yet"
-    SURE = "sure"
-    NOT_SURE = "not-sure"
-    MAYBE = "maybe"
-    OUTSIDE = "outside"
-    CONTRADICTORY = "contradictory"
     NOTHING_LEFT = "nothing-left"
     SAVED = "saved"
     # what can be typed
@@ -64,6 +59,7 @@ class TeachKey(Enum):
     BOUND = "bound"
     NEAR_MISSES = "near-misses"
     NOTHING_EXAMINED = "nothing-examined"
+    NOW = "now"
     CHANGED = "changed"
     UNCHANGED = "unchanged"
     ONLY_TOLD = "only-told"

@@ -36,13 +36,6 @@ TEACHING: Final[Mapping[str, str]] = MappingProxyType(
         "ask-again": "{earlier} {later} Per això ho pregunto un altre cop. {question}",
         "so-far": "El que entenc fins ara:",
         "no-rule-yet": "Encara res: qualsevol fila pot ser correcta.",
-        "sure": "Ara n'estic segur.",
-        "not-sure": "Encara no n'estic segur.",
-        "maybe": "També podria ser:",
-        "outside": (
-            "Cap regla senzilla no explica el que heu mostrat. Preguntaré quan no sàpiga res."
-        ),
-        "contradictory": "El que heu mostrat i el que heu dit encara no concorden.",
         "nothing-left": "No queda res de què aprendre. Mostreu-m'ho un altre cop, si us plau.",
         "saved": "Desat a {file}.",
         "how-to-reply": "({yes}, {no}, {unsure}: tant és, {enough}: prou preguntes)",
@@ -71,6 +64,7 @@ TEACHING: Final[Mapping[str, str]] = MappingProxyType(
         ),
         "near-misses": "De {plays} files que crec errònies, també n'heu dit errònies {agreed}.",
         "nothing-examined": "No heu jutjat cap de les meves jugades: no sé més que abans.",
+        "now": "El que entenc ara:",
         "changed": "N'he après. El que canvia:",
         "unchanged": "N'he après, però les meves regles segueixen igual.",
         "only-told": "Aquestes regles me les vau dir amb paraules. Canvieu-les, si us plau.",

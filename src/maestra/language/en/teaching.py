@@ -32,13 +32,6 @@ TEACHING: Final[Mapping[str, str]] = MappingProxyType(
         "ask-again": "{earlier} {later} So I ask once more. {question}",
         "so-far": "What I understand so far:",
         "no-rule-yet": "Nothing yet: any row may be right.",
-        "sure": "I am sure now.",
-        "not-sure": "I am not sure yet.",
-        "maybe": "It may also be:",
-        "outside": (
-            "No simple rule explains what you showed. I will ask you about what I do not know."
-        ),
-        "contradictory": "What you showed and what you said do not go together yet.",
         "nothing-left": "Nothing is left to learn from. Please show me again.",
         "saved": "Saved in {file}.",
         "how-to-reply": "({yes}, {no}, {unsure}: it does not matter, {enough}: no more questions)",
@@ -62,6 +55,7 @@ TEACHING: Final[Mapping[str, str]] = MappingProxyType(
         "bound": "With 95 % confidence fewer than {percent} % of my plays would be wrong.",
         "near-misses": "Of {plays} rows that I hold for wrong you called {agreed} wrong too.",
         "nothing-examined": "You judged none of my plays, so I know no more than before.",
+        "now": "What I understand now:",
         "changed": "I have learned from that. What changed:",
         "unchanged": "I have learned from that, but my rules stay the same.",
         "only-told": "These rules were told to me in words. Please change the words.",

@@ -36,13 +36,6 @@ TEACHING: Final[Mapping[str, str]] = MappingProxyType(
         "ask-again": "{earlier} {later} Por eso pregunto otra vez. {question}",
         "so-far": "Lo que entiendo hasta ahora:",
         "no-rule-yet": "Todavía nada: cualquier fila puede ser correcta.",
-        "sure": "Ahora estoy seguro.",
-        "not-sure": "Todavía no estoy seguro.",
-        "maybe": "También podría ser:",
-        "outside": (
-            "Ninguna regla sencilla explica lo que mostró. Preguntaré cuando no sepa algo."
-        ),
-        "contradictory": "Lo que mostró y lo que dijo todavía no concuerdan.",
         "nothing-left": "No queda nada de que aprender. Muéstremelo otra vez, por favor.",
         "saved": "Guardado en {file}.",
         "how-to-reply": "({yes}, {no}, {unsure}: da igual, {enough}: no más preguntas)",
@@ -70,6 +63,7 @@ TEACHING: Final[Mapping[str, str]] = MappingProxyType(
         ),
         "near-misses": "De {plays} filas que creo erróneas, también llamó erróneas a {agreed}.",
         "nothing-examined": "No juzgó ninguna de mis jugadas: no sé más que antes.",
+        "now": "Lo que entiendo ahora:",
         "changed": "He aprendido de ello. Lo que cambia:",
         "unchanged": "He aprendido de ello, pero mis reglas siguen igual.",
         "only-told": "Estas reglas me las dijeron con palabras. Cambie las palabras, por favor.",
