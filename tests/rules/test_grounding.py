@@ -12,6 +12,8 @@ from maestra.core.faults import InvalidError
 from maestra.core.state import State
 from maestra.rules import grounding
 from maestra.rules.exercise import RuledExercise
+from maestra.rules.forms.base import Position as Place
+from maestra.rules.forms.conditions import At, IfThen
 from maestra.rules.forms.counting import Count
 from maestra.rules.forms.patterns import given_row
 from maestra.rules.forms.relations import EachPair, Pairs
@@ -31,6 +33,7 @@ from tests.rules.told_exercises import FULL, ODD, RISING, deck_of, told
 DECK = deck_of("value", (1, 2, 3, 5, 6))
 SMALL = Board(3, 3)
 LEFT = FillOrder(Filling.LEFT_TO_RIGHT)
+PRIME = has("prime", "value")
 
 
 def small(*rules: Rule) -> RuledExercise:
@@ -47,6 +50,16 @@ SAYABLE: dict[str, tuple[Rule, ...]] = {
     "not from the first row": (EveryToken(Not(has("is-1", ORIGIN_ROW))), LEFT),
     "only odd": (ODD, FULL, LEFT),
     "steps of one": (EachPair(Pairs.NEIGHBOURS, Apart("value", 1)), FULL, LEFT),
+    "even after odd": (
+        IfThen(At(Place(1), has("odd", "value")), At(Place(2), has("even", "value"))),
+        FULL,
+        LEFT,
+    ),
+    "a prime only after a prime": (
+        IfThen(At(Place(1), Not(PRIME)), At(Place(2), Not(PRIME))),
+        FULL,
+        LEFT,
+    ),
     "the smallest left": (TakeExtreme("value", Extreme.LOWEST), LEFT),
 }
 
@@ -78,8 +91,13 @@ def test_the_actions_allow_the_same_plays(name: str) -> None:
 def test_the_smallest_vocabulary_is_taken() -> None:
     plain = grounded_from(small(RISING, FULL, LEFT)).model.vocabulary
     assert plain.level is Level.A
+    seen = grounded_from(small(*SAYABLE["even after odd"])).model.vocabulary
+    assert (seen.level, seen.features) == (Level.B, plain.features)
+    whole = grounded_from(small(*SAYABLE["a prime only after a prime"])).model.vocabulary
+    assert whole.level is Level.B
+    assert len(whole.features) > len(plain.features)
     wide = grounded_from(small(StraightUp(), FULL, LEFT)).model.vocabulary
-    assert len(wide.features) > len(plain.features)
+    assert (wide.level, wide.features) == (Level.A, whole.features)
 
 
 @pytest.mark.parametrize(

@@ -43,6 +43,7 @@ from maestra.rules.verdicts import (
     NotShown,
     NoWayOn,
     RowDone,
+    RuledRefusal,
     RulesBroken,
 )
 
@@ -67,21 +68,21 @@ def reasons(judged: JudgedMove, account: Account, deck: Deck) -> Iterator[Say]:
         account: of the exercise it was judged by.
         deck: the tokens it was played with.
     """
-    if not judged.is_refused:
-        return
     verdict = judged.verdict
-    if isinstance(verdict, GroundedRefusal) and isinstance(account, Summary):
+    if isinstance(verdict, RuledRefusal):
+        yield from _of_rules(verdict, judged, deck)
+    elif isinstance(verdict, GroundedRefusal) and isinstance(account, Summary):
         yield from _OfActions(judged, verdict, account, deck).all()
     else:
-        yield from _of_rules(judged, deck)
+        return
     yield say(Key.NOT_NOW)
 
 
-def _of_rules(judged: JudgedMove, deck: Deck) -> Iterator[Say]:
+def _of_rules(verdict: RuledRefusal, judged: JudgedMove, deck: Deck) -> Iterator[Say]:
     """Why the rules of an exercise refuse a move."""
     board = judged.before.board
     against = Against(judged.before, judged.move, deck, Tokens(board, deck))
-    match judged.verdict:
+    match verdict:
         case RulesBroken(rules):
             for one in rules:
                 yield from against.of_rule(one.rule)
@@ -94,7 +95,7 @@ def _of_rules(judged: JudgedMove, deck: Deck) -> Iterator[Say]:
         case NotKnown():
             yield say(Key.ASK_CAREGIVER)
         case _:
-            return
+            assert_never(verdict)
 
 
 @dataclass(frozen=True, slots=True)

@@ -175,10 +175,8 @@ class _Start:
 
     def is_safe(self, play: Play, token: Index, cell: Index) -> bool:
         """Whether the most specific hypothesis allows a move that the rules allow."""
-        if self.certain is None or self._safe is None:
-            return False
-        if set(self.certain) <= set(self.meant):
-            return True
+        if self._safe is None or set(self._safe.rules) <= set(self.meant):
+            return self._safe is not None
         return isinstance(self._safe.judge(play, token, cell), MoveAllowed)
 
     @cached_property
