@@ -10,7 +10,7 @@ from typing import Annotated, Final
 import typer
 
 from maestra import __version__
-from maestra.cli import experiment, teach_commands
+from maestra.cli import experiment, record_commands, teach_commands
 from maestra.cli.options import ExerciseFile, Json, Lang, LanguageName, Words
 
 _HELP: Final = """Teach a tabletop exercise by showing it, read its rules, judge plays of it.
@@ -27,6 +27,9 @@ app = typer.Typer(
     pretty_exceptions_enable=False,
 )
 app.add_typer(experiment.app, name="experiment")
+app.add_typer(record_commands.store, name="store")
+app.add_typer(record_commands.patients, name="patients")
+app.command()(record_commands.report)
 
 
 class Learner(Enum):
@@ -238,11 +241,80 @@ def demo(
     seed: Annotated[
         int | None, typer.Option(metavar="NUMBER", help="Deal the same tokens each time.")
     ] = None,
+    learner: Annotated[
+        Learner, typer.Option(help="How it learns; by few demonstrations it asks, too.")
+    ] = DEFAULT_LEARNER,
 ) -> None:
     """Teach and play the paper's exercises in the terminal."""
+    if learner is Learner.COMPILED:
+        raise typer.BadParameter("--learner: grounded or fewshot, planning takes too long here")
     from maestra.cli import demo_terminal
 
-    demo_terminal.play(None if lang is None else lang.value, seed)
+    demo_terminal.play(
+        None if lang is None else lang.value, seed, by_few=learner is Learner.FEWSHOT
+    )
+
+
+@app.command()
+def play(
+    exercise: ExerciseFile,
+    *,
+    patient: Annotated[
+        str, typer.Option(metavar="PSEUDONYM", help="Who plays; the settings are kept for them.")
+    ],
+    settings: Annotated[
+        str | None, typer.Option(metavar="FILE", help="Settings; else those kept, or defaults.")
+    ] = None,
+    lang: Annotated[
+        LanguageName | None, typer.Option("--lang", help="The language.  [default: theirs]")
+    ] = None,
+    seed: Annotated[
+        int | None, typer.Option(metavar="NUMBER", min=0, help="Deal and speak the same again.")
+    ] = None,
+    record: Annotated[
+        str | None, typer.Option(metavar="FILE", help="Also write the session as JSON Lines.")
+    ] = None,
+    data: Annotated[
+        str | None, typer.Option(metavar="DIR", help="The record: a folder, or a database's URL.")
+    ] = None,
+    keys: Annotated[str | None, typer.Option(metavar="DIR", help="The record's keys.")] = None,
+    speak: Annotated[
+        bool, typer.Option("--speak/--quiet", help="Speak aloud, if espeak-ng is there.")
+    ] = True,
+) -> None:
+    """Accompany a patient who plays an exercise; exit 1 if it was not completed."""
+    from maestra.cli import playing
+
+    wanted = playing.Wanted(
+        exercise,
+        patient,
+        settings,
+        None if lang is None else lang.value,
+        seed,
+        record,
+        data,
+        keys,
+        speak,
+    )
+    if not playing.play(wanted):
+        raise typer.Exit(1)
+
+
+@app.command()
+def replay(
+    session: Annotated[
+        str, typer.Argument(metavar="SESSION", help="A session's file, or its name in the record.")
+    ],
+    data: Annotated[
+        str | None, typer.Option(metavar="DIR", help="The record: a folder, or a database's URL.")
+    ] = None,
+    keys: Annotated[str | None, typer.Option(metavar="DIR", help="The record's keys.")] = None,
+    json: Json = False,
+) -> None:
+    """Show a session again: what happened, and what the coach did."""
+    from maestra.cli import replaying
+
+    replaying.show(session, data, keys, as_json=json)
 
 
 def _demand_one_standard_input(*files: str | None) -> None:

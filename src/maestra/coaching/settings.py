@@ -8,23 +8,19 @@ explanation of each setting and of each of its values is in `language.coach_sett
 
 from __future__ import annotations
 
-import json
 from dataclasses import dataclass, field
 from enum import Enum
 from functools import cache
 from types import MappingProxyType
-from typing import Annotated, Any, Final, Literal, cast
+from typing import Annotated, Any, Final, cast
 
-from pydantic import BaseModel, ConfigDict, Field, StrictBool, StrictInt, TypeAdapter
+from pydantic import Field, StrictBool, StrictInt, TypeAdapter
 
 from maestra.coaching.difficulty import Difficulty
 from maestra.coaching.fields import MAX_LEVEL, STRICT, Level, Milliseconds, decode
-from maestra.core.faults import Fault, InvalidError, refuse
+from maestra.core.faults import Fault, refuse
 from maestra.core.json_faults import Expecting
-from maestra.core.json_lines import FormatError, decode_object
 from maestra.language import Language
-
-SETTINGS_FORMAT: Final = "maestra.settings/1"
 
 SLOWEST_WPM: Final = 110
 FASTEST_WPM: Final = 180
@@ -256,15 +252,6 @@ def settings_for(profile: Profile, language: Language = Language.EN) -> Settings
     )
 
 
-class SettingsJson(BaseModel):
-    """A patient's settings as a file."""
-
-    model_config = ConfigDict(extra="forbid", frozen=True)
-
-    format: Annotated[Literal["maestra.settings/1"], Field(description="This format's name.")]
-    settings: Annotated[Settings, Field(description="What is not there keeps its default.")]
-
-
 @cache
 def _adapter() -> TypeAdapter[Settings]:
     return TypeAdapter(Settings)
@@ -282,27 +269,3 @@ def decode_settings(written: object) -> Settings:
         InvalidError: it describes none; with every fault and its place.
     """
     return decode(_adapter(), written)
-
-
-def write_settings(settings: Settings) -> str:
-    """A file of settings."""
-    return json.dumps(
-        {"format": SETTINGS_FORMAT, "settings": encode_settings(settings)},
-        ensure_ascii=False,
-        indent=1,
-    )
-
-
-def read_settings(text: bytes, file: str = "-") -> Settings:
-    """The settings in a file's bytes.
-
-    Raises:
-        FormatError: it holds none; with every fault.
-    """
-    fields = decode_object(text, file, 1, SETTINGS_FORMAT)
-    try:
-        extra = sorted(fields.keys() - SettingsJson.model_fields.keys())
-        refuse([Fault(name, "unknown field", "one of format, settings") for name in extra])
-        return decode_settings(fields.get("settings"))
-    except InvalidError as error:
-        raise FormatError(file, 1, error.faults) from None

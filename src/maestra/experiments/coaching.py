@@ -135,9 +135,9 @@ def coaching_runs(
         done = _kept(kept, results)
         wanted = [
             (mental.value, policy, number)
+            for number in range(1, patients + 1)
             for mental in Mental
             for policy in POLICIES
-            for number in range(1, patients + 1)
         ]
         advance(sum(key in done for key in wanted))
         missing = [key for key in wanted if key not in done]

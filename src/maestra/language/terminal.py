@@ -85,6 +85,7 @@ class TerminalKey(Enum):
     ROW_IS_FULL = "row-is-full"
     HELP_TEACHING = "help-teaching"
     HELP_PLAYING = "help-playing"
+    HELP_SESSION = "help-session"
     HELP_CHOOSING = "help-choosing"
     GOODBYE = "goodbye"
     GOAL = "goal"

@@ -79,6 +79,13 @@ SENTENCES: Final[Mapping[str, str]] = MappingProxyType(
         "{play}  tornar a començar\n"
         "{menu}  triar un altre exercici\n"
         "{quit}  acabar la sessió",
+        "help-session": "{token} 1  mou {token} a la columna 1 de la fila de destinació\n"
+        "{token}    la mou a la primera columna lliure\n"
+        "{undo}  torna el que és fora de lloc\n"
+        "{hint}  demana ajuda\n"
+        "{show}  fa que un altre faci aquest moviment\n"
+        "{done}  diu que això és tot\n"
+        "{quit}  acaba la sessió",
         "help-choosing": "Escriviu el nombre d'un exercici, o {quit} per acabar la sessió.",
         "goodbye": "A reveure.",
         "goal": "destí",

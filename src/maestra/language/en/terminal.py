@@ -79,6 +79,13 @@ SENTENCES: Final[Mapping[str, str]] = MappingProxyType(
         "{play}  start again\n"
         "{menu}  choose another exercise\n"
         "{quit}  end the session",
+        "help-session": "{token} 1  moves {token} to column 1 of the goal row\n"
+        "{token}    moves it to the first empty column\n"
+        "{undo}  puts back what lies wrong\n"
+        "{hint}  asks for help\n"
+        "{show}  has this move made\n"
+        "{done}  says that this is all\n"
+        "{quit}  ends the session",
         "help-choosing": "Type the number of an exercise, or {quit} to end the session.",
         "goodbye": "Goodbye.",
         "goal": "goal",

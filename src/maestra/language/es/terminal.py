@@ -80,6 +80,13 @@ SENTENCES: Final[Mapping[str, str]] = MappingProxyType(
         "{play}  empezar de nuevo\n"
         "{menu}  elegir otro ejercicio\n"
         "{quit}  terminar la sesión",
+        "help-session": "{token} 1  mueve {token} a la columna 1 de la fila de destino\n"
+        "{token}    la mueve a la primera columna libre\n"
+        "{undo}  devuelve lo que está fuera de su sitio\n"
+        "{hint}  pide ayuda\n"
+        "{show}  hace que otro haga este movimiento\n"
+        "{done}  dice que esto es todo\n"
+        "{quit}  termina la sesión",
         "help-choosing": "Escriba el número de un ejercicio, o {quit} para terminar la sesión.",
         "goodbye": "Hasta pronto.",
         "goal": "destino",
