@@ -109,6 +109,11 @@ mutation: nightly-setup ## which small changes of the code does no test notice?
 	$(NIGHTLY)/mutmut run
 	$(NIGHTLY)/mutmut results
 
+.PHONY: crashes
+crashes: setup ## kill, cut power and spoil disks below the record, far oftener than `make test`
+	MAESTRA_KILLS=120 MAESTRA_POWER_CUTS=2000 $(BIN)/python -m pytest -s -p no:randomly --timeout=0 \
+		tests/storage/test_killing.py tests/storage/test_faulty_disk.py
+
 .PHONY: oracle
 oracle: nightly-setup ## compare with learners that are not ours
 	$(NIGHTLY)/python -m pytest oracles

@@ -58,6 +58,24 @@ ensure_venv_module() {
     refuse "$python cannot make virtual environments; install its venv module first (on Debian, as root: apt-get install $package)"
 }
 
+# The tests start a PostgreSQL server of their own; only its programs must be there.
+ensure_postgresql() {
+    if compgen -G '/usr/lib/postgresql/*/bin/initdb' >/dev/null || command -v initdb >/dev/null; then
+        return
+    fi
+    if [[ $(id -u) -eq 0 ]] && command -v apt-get >/dev/null; then
+        echo "Installing postgresql, which the tests of the record need"
+        # No server of the system's own: the tests bring their folder and their user's rights.
+        mkdir -p /etc/postgresql-common
+        [[ -e /etc/postgresql-common/createcluster.conf ]] ||
+            echo 'create_main_cluster = false' >/etc/postgresql-common/createcluster.conf
+        if apt-get update -qq && DEBIAN_FRONTEND=noninteractive apt-get install -y -qq postgresql >/dev/null; then
+            return
+        fi
+    fi
+    refuse "the tests need the programs of PostgreSQL; install them first (on Debian, as root: apt-get install postgresql)"
+}
+
 # False for a folder that was moved or copied (its programs name their old place), or whose
 # interpreter is gone or too old.
 environment_is_sound() {
@@ -73,6 +91,8 @@ if ! environment_is_sound; then
     "$python" -m venv "$venv"
     echo "$PWD/$venv" >"$venv/maestra.location"
 fi
+
+[[ $level == product ]] || ensure_postgresql
 
 # What is installed follows from pyproject.toml alone, so its content is the stamp.
 wanted=$(cat pyproject.toml scripts/environment.sh | sha256sum | cut -d ' ' -f 1)
@@ -93,11 +113,11 @@ product)
     ;;
 developer)
     "${pip[@]}" install --upgrade 'pip>=25.1' # the first with --group
-    "${pip[@]}" install --editable '.[planning]' --group dev
+    "${pip[@]}" install --editable '.[planning,postgresql]' --group dev
     ;;
 nightly)
     "${pip[@]}" install --upgrade 'pip>=25.1'
-    "${pip[@]}" install --editable '.[planning]' --group nightly
+    "${pip[@]}" install --editable '.[planning,postgresql]' --group nightly
     ;;
 *) refuse "unknown level $level: product, developer or nightly" ;;
 esac

@@ -8,9 +8,10 @@ from maestra.core.demonstration import Demonstration
 from maestra.core.formats import read_demonstrations, read_plays
 from maestra.learning.grounded import learn_grounded
 from maestra.rules.ground_truth import ground_truth
-from maestra.rules.judging import Allowed, Judge
+from maestra.rules.judging import Judge
 from maestra.rules.paper import PAPER_EXERCISES, PaperExercise
 from scripts.write_examples import EXERCISES, FOLDER, files
+from tests.rules.positions import positions_of
 
 NAMES = pytest.mark.parametrize("name", EXERCISES)
 
@@ -72,11 +73,11 @@ def test_right_plays_are_right_and_wrong_ones_wrong_where_they_say(name: str) ->
     plays = [play for _, play in read_plays(content(f"plays/{name}.jsonl"), name)]
     right, *wrong = plays
     assert right.label == "right"
-    assert all(isinstance(one.verdict, Allowed) for one in judging.judge(right.start, right.moves))
+    assert not any(one.is_refused for one in judging.judge(right.start, right.moves))
     slips = EXERCISES[name].slips
     for play, slip in zip(wrong, (*slips, slips[0]), strict=True):
-        verdicts = [one.verdict for one in judging.judge(play.start, play.moves)]
-        refused = [at for at, verdict in enumerate(verdicts) if not isinstance(verdict, Allowed)]
+        judged = judging.judge(play.start, play.moves)
+        refused = [at for at, one in enumerate(judged) if one.is_refused]
         assert refused == [slip.before], play.label
 
 
@@ -87,9 +88,9 @@ def test_positions_can_be_completed_until_they_are_complete(name: str) -> None:
     assert [len(one.moves) for one in positions] == [0, 2, 4, 5]
     for position in positions:
         made = len(position.moves)
-        allowed = list(judging.allowed_moves(position.end, made))
-        assert bool(allowed) == (made < 5)
-        assert judging.may_end(made) == (made == 5)
+        *_, end = positions_of(position)
+        assert any(judging.allowed_moves(end)) == (made < 5)
+        assert judging.may_end(end) == (made == 5)
 
 
 @NAMES

@@ -3,25 +3,17 @@
 import pytest
 
 from maestra.cli.demo_session import begin, end, step
-from maestra.cli.demo_stages import (
-    SUBJECTS,
-    Choosing,
-    Drawn,
-    Ended,
-    Output,
-    Playing,
-    Said,
-    Stage,
-    Teaching,
-)
+from maestra.cli.demo_stages import SUBJECTS, Choosing, Ended, Playing, Stage, Teaching
 from maestra.cli.demo_terminal import own_language
 from maestra.cli.demo_words import Command, Typed, Unclear, Wish, Word, understand
 from maestra.cli.drawing import ASCII, UNICODE, draw, label, strokes_for
 from maestra.cli.lesson import Speech
+from maestra.cli.outputs import Drawn, Output, Said
 from maestra.core.board import Board, Cell, Column, Row
 from maestra.core.state import State
 from maestra.core.tokens import Deck, Token, TokenId
 from maestra.language import NO_LEXICON, Language
+from maestra.rules.position import Position
 from tests.cli.running import maestra
 
 ENGLISH = Speech(Language.EN, NO_LEXICON)
@@ -162,7 +154,7 @@ def test_right_moves_are_confirmed_to_the_end_and_it_begins_anew() -> None:
     assert session.said == ["Yes."]
     assert session.type("E 5").said[:2] == ["Yes.", "Well done, the exercise is complete."]
     assert isinstance(session.stage, Playing)
-    assert session.stage.made == 0
+    assert session.stage.position.moves == ()
 
 
 def test_a_wrong_move_is_explained_and_put_back() -> None:
@@ -170,7 +162,7 @@ def test_a_wrong_move_is_explained_and_put_back() -> None:
     assert session.said[-1] == "Let us put R back and try another one."
     assert in_goal_row(session.drawn[-1].state) == ["C"]
     assert isinstance(session.stage, Playing)
-    assert session.stage.made == 1
+    assert len(session.stage.position.moves) == 1
 
 
 def test_a_hint_is_a_right_move() -> None:
@@ -205,7 +197,8 @@ def test_a_play_that_may_not_end_yet_goes_on() -> None:
 def test_a_play_may_end_early_where_that_was_shown() -> None:
     session = Session(LETTERS, "C 1", "done", "C 1", "U 2", "done", "play")
     assert isinstance(session.stage, Playing)
-    session.stage = Playing(session.stage.taught, session.stage.state, made=1)
+    move = next(session.stage.taught.judge.allowed_moves(session.stage.position))
+    session.stage = Playing(session.stage.taught, session.stage.position.after(move))
     assert session.type("done").said[0] == "Well done, the exercise is complete."
 
 
@@ -217,7 +210,7 @@ def test_the_row_may_be_full() -> None:
     lying = dict(session.stage.state.cells)
     lying |= {TokenId(letter): cell for letter, cell in zip(letters, cells, strict=True)}
     full = State(session.stage.state.board, lying)
-    session.stage = Playing(session.stage.taught, full, made=5)
+    session.stage = Playing(session.stage.taught, Position.begin(full))
     assert session.type("A").said == ["The goal row is full."]
 
 

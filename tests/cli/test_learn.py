@@ -15,6 +15,7 @@ from maestra.learning.planning import (
     ProvenUnsolvable,
     Unsupported,
 )
+from maestra.rules.exercise import GroundedExercise
 from maestra.rules.exercise_format import decode_exercise
 from maestra.rules.summaries.summary import summarise
 from tests.cli.running import EXAMPLES, maestra
@@ -33,6 +34,12 @@ def a_file_of_too_few(tmp_path: Path) -> Path:
     return path
 
 
+def grounded(content: bytes) -> GroundedExercise:
+    exercise = decode_exercise(content)
+    assert isinstance(exercise, GroundedExercise)
+    return exercise
+
+
 def test_learn_says_the_rules_and_writes_the_exercise(tmp_path: Path) -> None:
     output = tmp_path / "x.json"
     ran = maestra("learn", ASCENDING, "-o", output)
@@ -41,7 +48,7 @@ def test_learn_says_the_rules_and_writes_the_exercise(tmp_path: Path) -> None:
     assert ran.out.endswith(
         f"\nDemonstrations seen: 12. Actions learned: 30. Saved in {output}.\n"
     )
-    assert decode_exercise(output.read_bytes()).demonstrations == 12
+    assert grounded(output.read_bytes()).demonstrations == 12
 
 
 def test_the_json_of_a_lesson_that_is_clear(tmp_path: Path) -> None:
@@ -127,14 +134,14 @@ def test_a_lesson_is_told_in_each_language(tmp_path: Path, language: str, line: 
     output = tmp_path / "x.json"
     ran = maestra("learn", ASCENDING, "-o", output, "--lang", language)
     speech = Speech(Language(language), NO_LEXICON)
-    rules = speech.rules(summarise(decode_exercise(output.read_bytes())))
+    rules = speech.rules(summarise(grounded(output.read_bytes())))
     assert ran.out.startswith(" ".join(rule.text for rule in rules) + "\n")
     assert ran.out.splitlines()[-1].startswith(line)
 
 
 def test_the_exercise_may_go_to_standard_output(few: Path) -> None:
     ran = maestra("learn", few, "-o", "-")
-    assert decode_exercise(ran.out.encode()).demonstrations == 3
+    assert grounded(ran.out.encode()).demonstrations == 3
     assert ran.err.startswith(RULES)
     assert ran.err.endswith("\nDemonstrations seen: 3. Actions learned: 10.\n")
 
@@ -164,7 +171,7 @@ def test_features_and_level_are_those_that_were_asked_for(tmp_path: Path) -> Non
     shown = EXAMPLES / "first-row.jsonl"
     ran = maestra("learn", shown, "-o", output, "--features", "cells", "--level", "B")
     assert ran.err == ""
-    exercise = decode_exercise(output.read_bytes())
+    exercise = grounded(output.read_bytes())
     assert exercise.model.vocabulary.level.value == "B"
     assert {feature.label for feature in exercise.model.vocabulary.features} == {
         "from-storage",

@@ -25,6 +25,10 @@ BY_HAND: Final = {
     ("README.md", "$ make run"): "waits for a person",
     ("README.md", "$ source .venv/bin/activate"): "changes the reader's shell",
     ("docs/tutorial/first-steps.md", "$ source .venv/bin/activate"): "changes the reader's shell",
+    ("docs/tutorial/teach.md", "$ maestra teach shown.jsonl -o ascending.json"): (
+        "waits for a person"
+    ),
+    ("docs/tutorial/teach.md", "$ maestra exam curie.json"): "waits for a person",
     ("README.md", "$ make test"): "runs this very test",
     ("CONTRIBUTING.md", "$ make setup"): "changes the environment the tests run in",
     ("CONTRIBUTING.md", "$ make test"): "runs this very test",

@@ -16,12 +16,14 @@ from maestra.language import (
     rule_sentences,
 )
 from maestra.learning.grounded import GroundedLearner
+from maestra.rules.account import broken_ids
 from maestra.rules.exercise import GroundedExercise, Provenance
 from maestra.rules.ground_truth import ground_truth
-from maestra.rules.judging import Allowed, Judge, JudgedMove
+from maestra.rules.judging import Judge
 from maestra.rules.paper import PAPER_EXERCISES
-from maestra.rules.summaries.blame import broken_ids
 from maestra.rules.summaries.summary import summarise
+from maestra.rules.verdicts import JudgedMove
+from tests.rules.positions import positions_of
 
 GOLDEN = Path(__file__).parent / "golden"
 FEW = 3
@@ -74,22 +76,22 @@ def refusals(name: str, exercise: GroundedExercise, language: Language) -> Itera
     one = right_play(name, 0)
     judge = Judge(exercise, one.deck)
     said: set[str] = set()
-    for made, state in enumerate(one.states()):
+    for position in positions_of(one):
+        state = position.now
         for token, origin in state.cells.items():
             for destination in state.board.cells:
                 move = Move(token, origin, destination)
                 try:
-                    verdict = judge.verdict(state, made, move)
+                    judged = JudgedMove(state, move, judge.verdict(position, move))
                 except IllegalMoveError:
                     continue
-                if isinstance(verdict, Allowed):
+                if not judged.is_refused:
                     continue
-                judged = JudgedMove(state, move, verdict)
                 text = reason(judged, summary, one.deck, language)
                 if text not in said:
                     said.add(text)
                     ids = ", ".join(broken_ids(judged, summary, one.deck))
-                    yield f"{type(verdict).__name__} ({ids}): {text}"
+                    yield f"{type(judged.verdict).__name__} ({ids}): {text}"
 
 
 def main() -> None:

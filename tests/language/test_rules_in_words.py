@@ -89,7 +89,7 @@ IN_ENGLISH: list[tuple[Rule, str]] = [
     (EveryToken(Anything()), "Use only tokens that are any token."),
     (EveryToken(Not(Anything())), "Use only tokens that are no token."),
     (EveryToken(Either(RED, Anything())), "Use only tokens that are any token."),
-    (EveryToken(Both(RED, Anything())), "Use only tokens that are red."),
+    (EveryToken(Both(RED, Anything())), "Use only red tokens."),
     (EveryToken(Both(Anything(), Anything())), "Use only tokens that are any token."),
     (from_row(1), "Take the tokens only from row 2."),
     (EveryToken(Not(has("is-3", ORIGIN_ROW))), "Take no tokens from the bottom row."),
@@ -97,11 +97,11 @@ IN_ENGLISH: list[tuple[Rule, str]] = [
     (EveryToken(Not(has("is-3", ORIGIN_COLUMN))), "Take no tokens from column 3."),
     (
         EveryToken(Compared("value", Comparison.AT_LEAST, 30)),
-        "Use only tokens that are not below 30.",
+        "Use only tokens that are at least 30.",
     ),
     (
         EveryToken(Compared("size", Comparison.MORE, Decimal("1.5"))),
-        "Use only tokens that have a size above 1.5.",
+        "Use only tokens that have a size of more than 1.5.",
     ),
     (
         EveryToken(Compared("day", Comparison.LESS, "Tue")),
@@ -113,11 +113,11 @@ IN_ENGLISH: list[tuple[Rule, str]] = [
     ),
     (
         EveryToken(Compared("colour", Comparison.DIFFERENT, "red")),
-        "Use only tokens that are not red.",
+        "Use only tokens that come before or after red.",
     ),
     (
         EveryToken(Among("value", Extreme.LOWEST)),
-        "Use only tokens that are among the five smallest.",
+        "Use only tokens that are among the smallest that fill the row.",
     ),
     (
         EveryToken(Among("grade", Extreme.HIGHEST, 3)),
@@ -201,7 +201,7 @@ IN_ENGLISH: list[tuple[Rule, str]] = [
     ),
     (
         EachPair(Pairs.NEIGHBOURS, Step("value", 0)),
-        "Each token must have the same number as the one on its left.",
+        "Each token must be 0 more than the one on its left.",
     ),
     (
         EachPair(Pairs.NEIGHBOURS, Step("day", 1)),

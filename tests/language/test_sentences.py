@@ -23,6 +23,7 @@ from maestra.language import (
 from maestra.language.languages import speaker_for
 from maestra.language.phrases import Adjective, Degree
 from maestra.learning.grounded import learn_grounded
+from maestra.rules.account import broken_ids
 from maestra.rules.features import CellFeature, PairFeature, TokenFeature
 from maestra.rules.fields import Position
 from maestra.rules.forms.length import FullRow
@@ -32,7 +33,13 @@ from maestra.rules.forms.relations import EachPair, Pairs, TwoPlaces
 from maestra.rules.forms.selection import AllOfThem, EveryToken
 from maestra.rules.forms.sources import StraightUp
 from maestra.rules.forms.timing import Filling, FillOrder
-from maestra.rules.judging import (
+from maestra.rules.pairs import different, same
+from maestra.rules.rule import Rule
+from maestra.rules.strips.actions import Action
+from maestra.rules.strips.literals import Contains, Literal, Placed, Related, Shows
+from maestra.rules.summaries.summary import Check, Narrow, Step, Summary, Unseen, summarise
+from maestra.rules.token_tests import Anything, Not, has
+from maestra.rules.verdicts import (
     AfterTheEnd,
     Allowed,
     BrokenPrecondition,
@@ -42,13 +49,6 @@ from maestra.rules.judging import (
     PutBack,
     Verdict,
 )
-from maestra.rules.pairs import different, same
-from maestra.rules.rule import Rule
-from maestra.rules.strips.actions import Action
-from maestra.rules.strips.literals import Contains, Literal, Placed, Related, Shows
-from maestra.rules.summaries.blame import broken_ids
-from maestra.rules.summaries.summary import Check, Narrow, Step, Summary, Unseen, summarise
-from maestra.rules.token_tests import Anything, Not, has
 from tests.language.scenes import enough
 
 BOARD = Board()
@@ -390,7 +390,7 @@ def test_a_refusal_says_what_is_not_so(
 
 
 def test_a_token_put_back_needs_no_reason() -> None:
-    one = replace(judged(34, cell(1, 1), None), verdict=PutBack(Action(number(34), 1)))
+    one = replace(judged(34, cell(1, 1), None), verdict=PutBack(NotShown(Action(number(34), 1))))
     assert (why(one, summary()), broken_ids(one, summary(), DECK)) == ("", ())
 
 

@@ -10,7 +10,8 @@ from typing import Annotated, Final
 import typer
 
 from maestra import __version__
-from maestra.cli import experiment
+from maestra.cli import experiment, record_commands, teach_commands
+from maestra.cli.options import ExerciseFile, Json, Lang, LanguageName, Words
 
 _HELP: Final = """Teach a tabletop exercise by showing it, read its rules, judge plays of it.
 
@@ -26,13 +27,21 @@ app = typer.Typer(
     pretty_exceptions_enable=False,
 )
 app.add_typer(experiment.app, name="experiment")
+app.add_typer(record_commands.store, name="store")
+app.add_typer(record_commands.patients, name="patients")
+app.command()(record_commands.report)
 
 
 class Learner(Enum):
-    """How preconditions are learned."""
+    """How an exercise is learned: its rules, or the preconditions of the paper's actions."""
 
     GROUNDED = "grounded"
     COMPILED = "compiled"
+    FEWSHOT = "fewshot"
+
+
+DEFAULT_LEARNER: Final = Learner.GROUNDED
+"""Of `learn` and `demo`."""
 
 
 class LevelName(Enum):
@@ -43,31 +52,12 @@ class LevelName(Enum):
     C = "C"
 
 
-class LanguageName(Enum):
-    """The languages that Maestra speaks."""
-
-    ENGLISH = "en"
-    SPANISH = "es"
-    CATALAN = "ca"
-
-
 class Engine(Enum):
     """Planners for the learner `compiled`."""
 
     CLINGO = "clingo"
     FAST_DOWNWARD = "fast-downward"
     MADAGASCAR = "madagascar"
-
-
-ExerciseFile = Annotated[
-    str, typer.Argument(metavar="EXERCISE.json", help="An exercise that `learn` wrote.")
-]
-Lang = Annotated[LanguageName, typer.Option("--lang", help="The language of sentences.")]
-Json = Annotated[bool, typer.Option("--json", help="Print JSON and nothing else.")]
-Words = Annotated[
-    str | None,
-    typer.Option("--words", metavar="FILE", help="Your own words for attributes and values."),
-]
 
 
 @app.callback(invoke_without_command=True)
@@ -96,8 +86,12 @@ def learn(
         str, typer.Option("--output", "-o", metavar="EXERCISE.json", help="Where to write it.")
     ],
     learner: Annotated[
-        Learner, typer.Option(help="Directly, or by planning as in the paper.")
-    ] = Learner.GROUNDED,
+        Learner,
+        typer.Option(
+            help="The paper's preconditions directly, or by planning as in the paper; or rules "
+            "from a few demonstrations."
+        ),
+    ] = DEFAULT_LEARNER,
     features: Annotated[
         str | None,
         typer.Option(metavar="NAME,NAME", help="The features that count; `features` lists them."),
@@ -130,11 +124,18 @@ def learn(
     json: Json = False,
 ) -> None:
     """Learn an exercise from demonstrations."""
-    if learner is Learner.GROUNDED and (engine is not None or compiled_pddl is not None):
+    if learner is not Learner.COMPILED and (engine is not None or compiled_pddl is not None):
         option = "--compiled-pddl" if engine is None else "--engine"
         raise typer.BadParameter(f"{option} needs --learner compiled")
     if json and output == "-":
         raise typer.BadParameter("--json and --output - both want standard output")
+    if learner is Learner.FEWSHOT:
+        if features is not None:
+            raise typer.BadParameter("--features needs --learner grounded or compiled")
+        from maestra.cli import teaching
+
+        teaching.learn_by_few(demonstrations, output, lang.value, words, as_json=json)
+        return
     from maestra.cli import learning
 
     planning = None
@@ -144,6 +145,10 @@ def learn(
     names = None if features is None else tuple(features.split(","))
     request = learning.Request(demonstrations, output, names, level.value, planning)
     learning.learn(request, lang.value, words, as_json=json)
+
+
+app.command()(teach_commands.teach)
+app.command()(teach_commands.exam)
 
 
 @app.command()
@@ -236,11 +241,80 @@ def demo(
     seed: Annotated[
         int | None, typer.Option(metavar="NUMBER", help="Deal the same tokens each time.")
     ] = None,
+    learner: Annotated[
+        Learner, typer.Option(help="How it learns; by few demonstrations it asks, too.")
+    ] = DEFAULT_LEARNER,
 ) -> None:
     """Teach and play the paper's exercises in the terminal."""
+    if learner is Learner.COMPILED:
+        raise typer.BadParameter("--learner: grounded or fewshot, planning takes too long here")
     from maestra.cli import demo_terminal
 
-    demo_terminal.play(None if lang is None else lang.value, seed)
+    demo_terminal.play(
+        None if lang is None else lang.value, seed, by_few=learner is Learner.FEWSHOT
+    )
+
+
+@app.command()
+def play(
+    exercise: ExerciseFile,
+    *,
+    patient: Annotated[
+        str, typer.Option(metavar="PSEUDONYM", help="Who plays; the settings are kept for them.")
+    ],
+    settings: Annotated[
+        str | None, typer.Option(metavar="FILE", help="Settings; else those kept, or defaults.")
+    ] = None,
+    lang: Annotated[
+        LanguageName | None, typer.Option("--lang", help="The language.  [default: theirs]")
+    ] = None,
+    seed: Annotated[
+        int | None, typer.Option(metavar="NUMBER", min=0, help="Deal and speak the same again.")
+    ] = None,
+    record: Annotated[
+        str | None, typer.Option(metavar="FILE", help="Also write the session as JSON Lines.")
+    ] = None,
+    data: Annotated[
+        str | None, typer.Option(metavar="DIR", help="The record: a folder, or a database's URL.")
+    ] = None,
+    keys: Annotated[str | None, typer.Option(metavar="DIR", help="The record's keys.")] = None,
+    speak: Annotated[
+        bool, typer.Option("--speak/--quiet", help="Speak aloud, if espeak-ng is there.")
+    ] = True,
+) -> None:
+    """Accompany a patient who plays an exercise; exit 1 if it was not completed."""
+    from maestra.cli import playing
+
+    wanted = playing.Wanted(
+        exercise,
+        patient,
+        settings,
+        None if lang is None else lang.value,
+        seed,
+        record,
+        data,
+        keys,
+        speak,
+    )
+    if not playing.play(wanted):
+        raise typer.Exit(1)
+
+
+@app.command()
+def replay(
+    session: Annotated[
+        str, typer.Argument(metavar="SESSION", help="A session's file, or its name in the record.")
+    ],
+    data: Annotated[
+        str | None, typer.Option(metavar="DIR", help="The record: a folder, or a database's URL.")
+    ] = None,
+    keys: Annotated[str | None, typer.Option(metavar="DIR", help="The record's keys.")] = None,
+    json: Json = False,
+) -> None:
+    """Show a session again: what happened, and what the coach did."""
+    from maestra.cli import replaying
+
+    replaying.show(session, data, keys, as_json=json)
 
 
 def _demand_one_standard_input(*files: str | None) -> None:

@@ -10,28 +10,26 @@ from typing import Final, TypeAlias, assert_never
 from maestra.cli.demo_stages import (
     SUBJECTS,
     Choosing,
-    Drawn,
     Ended,
-    Output,
     Playing,
-    Said,
     Stage,
     Subject,
     Taught,
     Teaching,
-    Tone,
 )
 from maestra.cli.demo_telling import moves_of, new_rules, understood
 from maestra.cli.demo_words import Command, Unclear, Wish, Word, understand
 from maestra.cli.drawing import label
 from maestra.cli.lesson import Speech
+from maestra.cli.outputs import Drawn, Output, Said, Tone
 from maestra.core.board import Cell
 from maestra.core.demonstration import Demonstration
 from maestra.core.state import Move, State
 from maestra.core.tokens import Deck, TokenId
 from maestra.language import reason
 from maestra.language.terminal import TerminalKey as Key
-from maestra.rules.judging import Allowed, JudgedMove
+from maestra.rules.position import Position
+from maestra.rules.verdicts import JudgedMove
 
 MAX_AT_ONCE: Final = 30
 """Right plays that Maestra shows for one request."""
@@ -123,10 +121,10 @@ def _play(taught: Taught, chance: Random, speech: Speech) -> Step:
     starts = (subject.start(chance) for _ in range(STARTS_TRIED))
     start = subject.start(chance)
     for start in starts:
-        if any(taught.judge.allowed_moves(start, 0)):
+        if any(taught.judge.allowed_moves(Position.begin(start))):
             break
     turn = Said(speech.say(Key.YOUR_TURN), Tone.HEADING)
-    return Playing(taught, start), (turn, Drawn(start, subject.deck))
+    return Playing(taught, Position.begin(start)), (turn, Drawn(start, subject.deck))
 
 
 def _nth(taught: Taught, speech: Speech) -> Said:
@@ -326,13 +324,13 @@ class _Player:
         move = _Table(stage.state, self.taught.subject.deck, self.speech).move(wish)
         if isinstance(move, Said):
             return stage, (move,)
-        judged = JudgedMove(stage.state, move, judge.verdict(stage.state, stage.made, move))
-        if not isinstance(judged.verdict, Allowed):
+        judged = JudgedMove(stage.state, move, judge.verdict(stage.position, move))
+        if judged.is_refused:
             return stage, self._refusal(judged)
-        after = replace(stage, state=stage.state.after(move), made=stage.made + 1)
+        after = replace(stage, position=stage.position.after(move))
         right = Said(self.speech.say(Key.RIGHT), Tone.GOOD)
         drawn = Drawn(after.state, self.taught.subject.deck)
-        if after.made < max(judge.exercise.lengths):
+        if any(judge.allowed_moves(after.position)):
             return after, (drawn, right)
         return _Player(after, self.chance, self.speech).complete((drawn, right))
 
@@ -349,7 +347,7 @@ class _Player:
 
     def done(self) -> Step:
         """The stage after the play, which the user thinks is over."""
-        if not self.taught.judge.may_end(self.stage.made):
+        if not self.taught.judge.may_end(self.stage.position):
             return self.stage, (Said(self.speech.say(Key.NOT_YET)),)
         return self.complete(())
 
@@ -359,7 +357,7 @@ class _Player:
         return stage, (*outputs, Said(self.speech.say(Key.COMPLETE), Tone.GOOD), *begun)
 
     def _hint(self) -> Said:
-        moves = self.taught.judge.allowed_moves(self.stage.state, self.stage.made)
+        moves = self.taught.judge.allowed_moves(self.stage.position)
         move = min(moves, key=lambda one: (one.destination, one.origin), default=None)
         if move is None:
             return Said(self.speech.say(Key.NO_HINT, teach=self.speech.say(Key.TYPE_TEACH)))

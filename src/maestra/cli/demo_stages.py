@@ -2,7 +2,6 @@
 
 from collections.abc import Callable
 from dataclasses import dataclass
-from enum import Enum
 from functools import cached_property
 from random import Random
 from typing import Final, TypeAlias
@@ -14,41 +13,12 @@ from maestra.core.tokens import Deck
 from maestra.language.terminal import TerminalKey
 from maestra.learning.grounded import learn_grounded
 from maestra.learning.suspects import doubts
+from maestra.rules.exercise import GroundedExercise
 from maestra.rules.judging import Judge
 from maestra.rules.paper import BOARD, LETTER_DECK, NUMBER_DECK, PAPER_EXERCISES
+from maestra.rules.position import Position
 from maestra.rules.right_plays import RightPlays
 from maestra.rules.summaries.summary import Summary, summarise
-
-
-class Tone(Enum):
-    """How a line is meant; a terminal with colours shows it."""
-
-    PLAIN = "plain"
-    HEADING = "heading"
-    GOOD = "good"
-    WRONG = "wrong"
-    NEW = "new"
-    ASIDE = "aside"
-
-
-@dataclass(frozen=True, slots=True)
-class Said:
-    """A line to say."""
-
-    text: str
-    tone: Tone = Tone.PLAIN
-
-
-@dataclass(frozen=True, slots=True)
-class Drawn:
-    """A board to draw."""
-
-    state: State
-    deck: Deck
-
-
-Output: TypeAlias = Said | Drawn
-Outputs: TypeAlias = tuple[Output, ...]
 
 
 @dataclass(frozen=True, slots=True)
@@ -111,15 +81,19 @@ class Taught:
     shown: tuple[Demonstration, ...] = ()
 
     @cached_property
+    def exercise(self) -> GroundedExercise:
+        """What was learned of what was shown, at least one play."""
+        return learn_grounded(self.shown, features=self.subject.features)
+
+    @cached_property
     def judge(self) -> Judge:
-        """Judges plays by what was shown, at least one play."""
-        exercise = learn_grounded(self.shown, features=self.subject.features)
-        return Judge(exercise, self.subject.deck)
+        """Judges plays by it."""
+        return Judge(self.exercise, self.subject.deck)
 
     @cached_property
     def summary(self) -> Summary:
         """Its rules."""
-        return summarise(self.judge.exercise)
+        return summarise(self.exercise)
 
 
 @dataclass(frozen=True, slots=True)
@@ -141,8 +115,12 @@ class Playing:
     """The user plays, and each move is judged."""
 
     taught: Taught
-    state: State
-    made: int = 0
+    position: Position
+
+    @property
+    def state(self) -> State:
+        """What lies where now."""
+        return self.position.now
 
 
 @dataclass(frozen=True, slots=True)

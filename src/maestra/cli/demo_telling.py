@@ -2,9 +2,10 @@
 
 from typing import Final
 
-from maestra.cli.demo_stages import Drawn, Output, Said, Taught, Tone
+from maestra.cli.demo_stages import Taught
 from maestra.cli.drawing import label
 from maestra.cli.lesson import Speech
+from maestra.cli.outputs import Drawn, Output, Said, Tone
 from maestra.core.demonstration import Demonstration
 from maestra.language.terminal import TerminalKey as Key
 from maestra.rules.summaries.summary import Check

@@ -160,3 +160,45 @@ def fewshot(
         print_json({"seed": seed, "exercises": exercises, "rows": [asdict(row) for row in rows]})
     else:
         print_sweep(rows)
+
+
+@app.command()
+def coaching(
+    *,
+    patients: Annotated[
+        int, typer.Option(min=1, help="Of each profile, with each policy; ten sessions each.")
+    ] = 100,
+    seed: Annotated[int, typer.Option(min=0, help="Decides who they are.")] = 1,
+    results: Annotated[
+        str | None,
+        typer.Option(
+            metavar="FILE",
+            help="Keep each finished patient here, as JSON Lines; begun again, go on from there.",
+        ),
+    ] = None,
+    jobs: Annotated[int, typer.Option(help="Processes; -1 for one on each core.")] = -1,
+    as_json: Json = False,
+) -> None:
+    """Compare policies of assistance on simulated patients."""
+    from pathlib import Path
+
+    from maestra.cli.experiment_output import print_policies
+    from maestra.cli.streams import print_json, progress
+    from maestra.coaching.settings import Mental
+    from maestra.experiments.coaching import (
+        POLICIES,
+        coaching_json,
+        coaching_runs,
+        comparisons,
+        policy_rows,
+    )
+
+    if jobs == 0:
+        raise typer.BadParameter("0 processes do nothing", param_hint="--jobs")
+    kept = None if results is None else Path(results)
+    with progress("patients", patients * len(POLICIES) * len(Mental)) as advance:
+        runs = coaching_runs(patients, seed, jobs, kept, advance)
+    if as_json:
+        print_json(coaching_json(seed, patients, runs))
+    else:
+        print_policies(policy_rows(runs), comparisons(runs))

@@ -9,6 +9,7 @@ from typing import Final
 from rich.console import Console
 from rich.table import Table
 
+from maestra.experiments.coaching import Comparison, Mean, PolicyRow
 from maestra.experiments.curve import Choice, CurvePoint, CurveSettings
 from maestra.experiments.fewshot_sweep import Share, SweepRow
 from maestra.experiments.table import TableRow
@@ -67,6 +68,29 @@ def print_sweep(rows: Iterable[SweepRow]) -> None:
         shares = (row.exact, row.exact_on_new_decks, row.learned, row.exact_of_learned)
         table.add_row(f"{row.demonstrations}", f"{row.questions}", *map(_share, shares))
     _print(table)
+
+
+def print_policies(rows: Iterable[PolicyRow], compared: Iterable[Comparison]) -> None:
+    """A line for each profile and policy, then what the adaptive one saves."""
+    table = Table("profile", "policy", box=None, pad_edge=False)
+    for heading in ("completed", "assistance", "errors", "minutes", "right at first"):
+        table.add_column(heading, justify="right")
+    for row in rows:
+        means = (row.assistance, row.errors, row.minutes)
+        shares = (_share(row.complete), *map(_mean, means), _share(row.first_time))
+        table.add_row(row.profile, row.policy, *shares)
+    _print(table)
+    saved = Table("adaptive against the most helpful", box=None, pad_edge=False)
+    for heading in ("completed more often by", "assistance saved"):
+        saved.add_column(heading, justify="right")
+    for one in compared:
+        saved.add_row(one.profile, _mean(one.completed_more), _mean(one.saved))
+    _print(saved)
+
+
+def _mean(mean: Mean) -> str:
+    """``3.2 (2.9 to 3.5)``, the interval that holds the true mean with 95 % confidence."""
+    return f"{mean.value:.2f} ({mean.low:.2f} to {mean.high:.2f})"
 
 
 def _share(share: Share) -> str:

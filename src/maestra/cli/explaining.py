@@ -1,13 +1,15 @@
 """`maestra explain`: the rules of an exercise in words, and its actions one by one."""
 
 from collections.abc import Iterator
+from typing import assert_never
 
 from maestra.cli.lesson import Speech, rule_lines, sentences_json
+from maestra.cli.lesson_of_rules import ruled_json, ruled_lines
 from maestra.cli.loading import exercise_in, words_in
 from maestra.cli.streams import print_json, print_lines
 from maestra.language import Language, explain_action
 from maestra.language.terminal import TerminalKey
-from maestra.rules.exercise import GroundedExercise
+from maestra.rules.exercise import GroundedExercise, RuledExercise
 from maestra.rules.strips.literals import formula
 from maestra.rules.summaries.summary import summarise
 
@@ -18,6 +20,20 @@ def explain(
     """Print the rules of an exercise."""
     exercise = exercise_in(exercise_file)
     speech = Speech(Language(language), words_in(words_file))
+    match exercise:
+        case GroundedExercise():
+            _explain_actions(exercise, speech, detail=detail, as_json=as_json)
+        case RuledExercise() if as_json:
+            print_json(ruled_json(exercise, speech))
+        case RuledExercise():
+            print_lines(ruled_lines(exercise, speech))
+        case _:
+            assert_never(exercise)
+
+
+def _explain_actions(
+    exercise: GroundedExercise, speech: Speech, *, detail: bool, as_json: bool
+) -> None:
     summary = summarise(exercise)
     if as_json:
         answer: dict[str, object] = {

@@ -8,11 +8,13 @@ from maestra.cli.streams import named, print_json, print_lines, read_chunks, wai
 from maestra.core.demonstration import Demonstration
 from maestra.core.formats import read_numbered
 from maestra.learning.model_pddl import exercise_pddl
+from maestra.rules.exercise import GroundedExercise
+from maestra.rules.grounding import grounded_from
 
 
 def export(exercise_file: str, folder: str, play_file: str | None, *, as_json: bool) -> None:
     """Write `domain.pddl` and `problem.pddl` into `folder`, which is made if need be."""
-    exercise = exercise_in(exercise_file)
+    exercise = _grounded_in(exercise_file)
     number, play = 1, None
     if play_file is not None:
         chunks = read_chunks(play_file)
@@ -24,6 +26,19 @@ def export(exercise_file: str, folder: str, play_file: str | None, *, as_json: b
         print_json(written)
     else:
         print_lines(written.values())
+
+
+def _grounded_in(file: str) -> GroundedExercise:
+    """The exercise in a file, as actions.
+
+    Raises:
+        FormatError: it is made of rules that no preconditions can say.
+    """
+    exercise = exercise_in(file)
+    if isinstance(exercise, GroundedExercise):
+        return exercise
+    with at_line(named(file), 1):
+        return grounded_from(exercise)
 
 
 def write_pddl(folder: str, domain: str, problem: str) -> dict[str, str]:

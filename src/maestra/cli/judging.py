@@ -12,12 +12,13 @@ from maestra.cli.streams import named, print_json, progress, size_of
 from maestra.cli.terms import THE_ANSWER_IS_NO
 from maestra.core.board import Cell
 from maestra.core.formats import encode_move
-from maestra.core.state import Move, State
+from maestra.core.state import Move
 from maestra.language import Language, Lexicon, reason
-from maestra.rules.exercise import GroundedExercise
-from maestra.rules.judging import AfterTheEnd, Allowed, Judge, JudgedMove, PutBack
-from maestra.rules.summaries.blame import broken_ids
-from maestra.rules.summaries.summary import Summary, summarise
+from maestra.rules.account import Account, account_of, broken_ids
+from maestra.rules.exercise import Exercise
+from maestra.rules.judging import Judge
+from maestra.rules.position import Position
+from maestra.rules.verdicts import JudgedMove, NotKnown
 
 
 @dataclass(frozen=True, slots=True)
@@ -25,41 +26,29 @@ class JudgedPlay:
     """A line of a file of plays, and what is to be said of its moves."""
 
     judge: Judge
-    start: State
     moves: tuple[JudgedMove, ...]
+    end: Position
+    """Once every refused move is put back."""
 
     @property
     def refused(self) -> tuple[int, ...]:
         """Which moves were refused, counted from 1."""
-        return tuple(number for number, one in enumerate(self.moves, start=1) if _is_refused(one))
-
-    @property
-    def made(self) -> int:
-        """How many moves were right and are still made."""
-        return sum(isinstance(one.verdict, Allowed) for one in self.moves)
-
-    @property
-    def end(self) -> State:
-        """What lies where once every refused move is put back."""
-        if not self.moves:
-            return self.start
-        last = self.moves[-1]
-        return last.before.after(last.move) if isinstance(last.verdict, Allowed) else last.before
+        return tuple(number for number, one in enumerate(self.moves, start=1) if one.is_refused)
 
     @property
     def complete(self) -> bool:
         """Whether the exercise may end here."""
-        return self.judge.may_end(self.made)
+        return self.judge.may_end(self.end)
 
 
 def judge(exercise_file: str, plays_file: str, language: str, words_file: str | None) -> None:
     """Print a judgement of each play; exit 1 if any has a refused move."""
     exercise, words = exercise_in(exercise_file), words_in(words_file)
-    summary, tongue = summarise(exercise), Language(language)
+    account, tongue = account_of(exercise), Language(language)
     any_refused = False
     for play in _judged(exercise, plays_file, "Judging"):
         any_refused = any_refused or bool(play.refused)
-        print_json(judgement(play, summary, tongue, words))
+        print_json(judgement(play, account, tongue, words))
     _exit_if(any_refused)
 
 
@@ -68,7 +57,7 @@ def moves(exercise_file: str, positions_file: str) -> None:
     exercise = exercise_in(exercise_file)
     any_refused = False
     for position in _judged(exercise, positions_file, "Looking for moves"):
-        allowed = position.judge.allowed_moves(position.end, position.made)
+        allowed = position.judge.allowed_moves(position.end)
         answer: dict[str, object] = {
             "allowed": [encode_move(move) for move in sorted(allowed, key=_by_cells)],
             "complete": position.complete,
@@ -81,17 +70,18 @@ def moves(exercise_file: str, positions_file: str) -> None:
 
 
 def judgement(
-    play: JudgedPlay, summary: Summary, language: Language, words: Lexicon
+    play: JudgedPlay, account: Account, language: Language, words: Lexicon
 ) -> dict[str, object]:
     """What is to be said of a play, as `maestra judge` prints it."""
     deck = play.judge.deck
     return {
         "moves": [
             {
-                "verdict": "refused" if _is_refused(one) else "allowed",
-                "certainty": certainty(one),
-                "broken": list(broken_ids(one, summary, deck)),
-                "reason": reason(one, summary, deck, language, words),
+                "verdict": "refused" if one.is_refused else "allowed",
+                "certainty": "certain" if one.is_certain else "probable",
+                "broken": list(broken_ids(one, account, deck)),
+                "reason": reason(one, account, deck, language, words),
+                **({"ask": True} if isinstance(one.verdict, NotKnown) else {}),
             }
             for one in play.moves
         ],
@@ -99,18 +89,7 @@ def judgement(
     }
 
 
-def certainty(judged: JudgedMove) -> str:
-    """How far a verdict is to be trusted.
-
-    What the most specific preconditions allow is right, if the rule can be said at all. What
-    they refuse may only not have been shown yet, but nothing comes after the end; and to put a
-    refused token back is always right.
-    """
-    sure = isinstance(judged.verdict, Allowed | PutBack | AfterTheEnd)
-    return "certain" if sure else "probable"
-
-
-def _judged(exercise: GroundedExercise, file: str, task: str) -> Iterator[JudgedPlay]:
+def _judged(exercise: Exercise, file: str, task: str) -> Iterator[JudgedPlay]:
     """Each play of a file, judged; those with one deck share a judge, which learns as it goes."""
     latest: Judge | None = None
     # Where both go to one terminal, a bar would run through the answers.
@@ -120,12 +99,7 @@ def _judged(exercise: GroundedExercise, file: str, task: str) -> Iterator[Judged
             with at_line(named(file), number):
                 if latest is None or latest.deck != play.deck:
                     latest = Judge(exercise, play.deck)
-                judged = latest.judge(play.start, play.moves)
-                yield JudgedPlay(latest, play.start, judged)
-
-
-def _is_refused(judged: JudgedMove) -> bool:
-    return not isinstance(judged.verdict, Allowed | PutBack)
+                yield JudgedPlay(latest, *latest.read(play.start, play.moves))
 
 
 def _by_cells(move: Move) -> tuple[Cell, Cell]:

@@ -6,11 +6,11 @@ from maestra.cli.streams import Advance, named, read_chunks, read_whole
 from maestra.core.demonstration import Play
 from maestra.core.formats import read_plays
 from maestra.language import NO_LEXICON, Lexicon, read_words
-from maestra.rules.exercise import GroundedExercise
+from maestra.rules.exercise import Exercise
 from maestra.rules.exercise_format import decode_exercise
 
 
-def exercise_in(path: str) -> GroundedExercise:
+def exercise_in(path: str) -> Exercise:
     """The exercise in a file.
 
     Raises:

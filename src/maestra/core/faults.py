@@ -1,10 +1,12 @@
 """What is wrong with an input: every fault at once, each with its place and what was expected."""
 
 import json
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from decimal import Decimal
-from typing import Final
+from typing import Final, TypeVar
+
+_Built = TypeVar("_Built")
 
 MAX_SAID: Final = 10
 """Faults that a message spells out; a file that is wrong throughout must not fill the screen."""
@@ -53,6 +55,15 @@ def refuse(faults: Sequence[Fault]) -> None:
     """Raise `InvalidError` if there is any fault."""
     if faults:
         raise InvalidError(faults)
+
+
+def attempt(build: Callable[[], _Built], faults: list[Fault], where: str = "") -> _Built | None:
+    """What `build` makes; None when it refuses, its faults then added to `faults`."""
+    try:
+        return build()
+    except InvalidError as error:
+        faults += [fault.under(where) if where else fault for fault in error.faults]
+        return None
 
 
 def one_line(text: str) -> str:

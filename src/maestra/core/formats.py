@@ -15,7 +15,7 @@ from pydantic.json_schema import WithJsonSchema
 
 from maestra.core.board import MAX_SIDE, Board, Cell, Column, Row
 from maestra.core.demonstration import MAX_MOVES, MAX_TIME_MS, Demonstration, Play, Source
-from maestra.core.faults import Fault, InvalidError
+from maestra.core.faults import Fault, InvalidError, attempt
 from maestra.core.json_faults import AtMost, Expecting, faults_of_validation
 from maestra.core.json_lines import FormatError, decode_object, split_lines
 from maestra.core.state import Move, State
@@ -35,7 +35,6 @@ from maestra.core.tokens import (
 
 DEMONSTRATION_FORMAT: Final = "maestra.demonstration/1"
 
-_Built = TypeVar("_Built")
 _Played = TypeVar("_Played", bound=Play)
 
 
@@ -108,6 +107,14 @@ class BoardJson(_Strict):
     goal_row: Annotated[
         _Side, Field(description="The row that tokens are moved to, counted from 1.")
     ] = 1
+
+    def board(self) -> Board:
+        """The board these fields describe.
+
+        Raises:
+            InvalidError: its goal row is not on it.
+        """
+        return _board(self.rows, self.columns, self.goal_row)
 
 
 class MoveJson(_Strict):
@@ -244,9 +251,9 @@ class DemonstrationJson(DeckJson):
                 of the board, the deck and the start, or else every fault of the moves.
         """
         faults: list[Fault] = []
-        board = _attempt(self._board, faults, "board")
-        deck = _attempt(lambda: deck_of(self), faults)
-        start = None if board is None else _attempt(lambda: self._start(board), faults, "start")
+        board = attempt(self.board.board, faults, "board")
+        deck = attempt(lambda: deck_of(self), faults)
+        start = None if board is None else attempt(lambda: self._start(board), faults, "start")
         if deck is None or start is None:
             raise InvalidError(faults)
         moves = tuple(
@@ -254,9 +261,6 @@ class DemonstrationJson(DeckJson):
             for move in self.moves
         )
         return kind(deck, start, moves, self.label, self.times_ms, self.source)
-
-    def _board(self) -> Board:
-        return _board(self.board.rows, self.board.columns, self.board.goal_row)
 
     def _start(self, board: Board) -> State:
         return State(board, {TokenId(token): _cell(*at) for token, at in self.start.items()})
@@ -383,15 +387,6 @@ def _decode(
         raise FormatError(file, number, faults) from None
     except InvalidError as error:
         raise FormatError(file, number, error.faults) from None
-
-
-def _attempt(build: Callable[[], _Built], faults: list[Fault], place: str = "") -> _Built | None:
-    """What `build` makes; None when it refuses, its faults then added to `faults`."""
-    try:
-        return build()
-    except InvalidError as error:
-        faults += [fault.under(place) if place else fault for fault in error.faults]
-        return None
 
 
 # Both are pure; one object a cell and a board saves most of a million lines' time and memory.

@@ -73,7 +73,20 @@ def decode_object(line: bytes, file: str, number: int, wanted: str) -> dict[str,
     Numbers with a fraction come as `Decimal`, so that nothing is lost on the way.
 
     Raises:
-        FormatError: not UTF-8, not JSON, a name twice, not an object, another or newer format.
+        FormatError: as `parse_object`, or another or newer format.
+    """
+    fields = parse_object(line, file, number)
+    written = fields.get("format")
+    if written != wanted:
+        raise FormatError(file, number, (Fault("format", *_other_format(written, wanted)),))
+    return fields
+
+
+def parse_object(line: bytes, file: str, number: int) -> dict[str, object]:
+    """The JSON object on `line`, of whatever format.
+
+    Raises:
+        FormatError: not UTF-8, not JSON, a name twice, not an object.
     """
     try:
         parsed = _parse(line)
@@ -81,11 +94,7 @@ def decode_object(line: bytes, file: str, number: int, wanted: str) -> dict[str,
         raise FormatError(file, number, error.faults) from None
     if not isinstance(parsed, dict):
         raise FormatError(file, number, (Fault("", shorten(parsed), "a JSON object"),))
-    fields = cast("dict[str, object]", parsed)
-    written = fields.get("format")
-    if written != wanted:
-        raise FormatError(file, number, (Fault("format", *_other_format(written, wanted)),))
-    return fields
+    return cast("dict[str, object]", parsed)
 
 
 def _parse(line: bytes) -> object:

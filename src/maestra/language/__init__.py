@@ -7,6 +7,7 @@ from maestra.language.lexicon_format import read_words as read_words
 from maestra.language.sentences import ActionExplanation as ActionExplanation
 from maestra.language.sentences import Sentence as Sentence
 from maestra.language.sentences import check_sentence as check_sentence
+from maestra.language.sentences import conjunction_sentences as conjunction_sentences
 from maestra.language.sentences import explain_action as explain_action
 from maestra.language.sentences import gap_sentences as gap_sentences
 from maestra.language.sentences import reason as reason

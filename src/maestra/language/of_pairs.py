@@ -2,27 +2,160 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import assert_never
+from decimal import Decimal
+from types import MappingProxyType
+from typing import Final
 
 from maestra.core.tokens import Scale
-from maestra.language.keys import Predicate
-from maestra.language.of_tokens import Tokens
-from maestra.language.phrases import (
-    Adjective,
-    AttributeNamed,
-    Count,
-    Degree,
-    Does,
-    Foreign,
-    Numeral,
-    Phrase,
-    does,
-)
+from maestra.language.keys import Key, Predicate
+from maestra.language.of_tokens import Tokens, adjective, said_of
+from maestra.language.phrases import Degree, Does, Foreign, Phrase, say
+from maestra.language.wordings import ATTRIBUTE, COUNT, NUMBER, Part, Wording, put
 from maestra.rules.features import PairFeature
-from maestra.rules.fields import Number
 from maestra.rules.pairs import AddUp, Apart, Compare, Named, Relation, Step, Times
 from maestra.rules.token_tests import Comparison
+
+_NUMBERS: Final = frozenset({Scale.NUMBER, Scale.NOMINAL})
+_LISTED: Final = frozenset({Scale.ORDER, Scale.CYCLE})
+_LETTERS: Final = frozenset({Scale.LETTER})
+_PLACED: Final = _LISTED | _LETTERS
+_HALF: Final = Decimal("0.5")
+
+
+def _forward(part: Part) -> tuple[Part, str]:
+    """By how much, if it is more."""
+    return (
+        Part("number", lambda n, about: part.phrase(n, about) if n >= 0 else None),
+        "amount",
+    )
+
+
+def _back(part: Part) -> tuple[Part, str]:
+    """By how much, if it is less."""
+    return (
+        Part(
+            "number",
+            lambda n, about: part.phrase(-n, about) if n < 0 else None,
+            lambda n, _: -n,
+        ),
+        "amount",
+    )
+
+
+_RELATION: Final = (Part("relation_name", lambda name, _: Foreign(name)), "name")
+_ACROSS: Final = (ATTRIBUTE, "other")
+_ORDERED: Final = MappingProxyType(
+    {
+        Comparison.LESS: (Degree.MORE, False),
+        Comparison.MORE: (Degree.LESS, False),
+        Comparison.AT_MOST: (Degree.LESS, True),
+        Comparison.AT_LEAST: (Degree.MORE, True),
+    }
+)
+"""What the second of two is, if the first compares so to it; "at most" is "not less"."""
+
+
+def _compared(comparison: Comparison) -> tuple[Wording, ...]:
+    degree, negated = _ORDERED[comparison]
+    own: dict[str, object] = {"comparison": comparison, "other": None}
+
+    def line(more: Predicate, less: Predicate, scales: frozenset[Scale]) -> Wording:
+        says = more if degree is Degree.MORE else less
+        return put(says, Compare, own, scales=scales, negated=negated, attribute=ATTRIBUTE)
+
+    return (
+        put(
+            Predicate.MORE if degree is Degree.MORE else Predicate.LESS,
+            Compare,
+            own,
+            scales=_NUMBERS,
+            negated=negated,
+            adjective=(adjective(degree), "attribute"),
+            attribute=ATTRIBUTE,
+        ),
+        line(Predicate.AFTER, Predicate.BEFORE, _LISTED),
+        line(Predicate.AFTER_IN_ALPHABET, Predicate.BEFORE_IN_ALPHABET, _LETTERS),
+        put(
+            Predicate.MORE_ACROSS if degree is Degree.MORE else Predicate.LESS_ACROSS,
+            Compare,
+            {"comparison": comparison},
+            negated=negated,
+            attribute=_ACROSS,
+            theirs=(ATTRIBUTE, "attribute"),
+        ),
+    )
+
+
+def _across(comparison: Comparison, *, negated: bool) -> Wording:
+    return put(
+        Predicate.SAME_ACROSS,
+        Compare,
+        {"comparison": comparison},
+        negated=negated,
+        attribute=_ACROSS,
+        theirs=(ATTRIBUTE, "attribute"),
+    )
+
+
+def _steps(
+    forward: tuple[Predicate, Predicate], back: tuple[Predicate, Predicate], scale: Scale
+) -> tuple[Wording, ...]:
+    """Places further on in an order: one, or so many."""
+    return (
+        put(forward[0], Step, {"amount": 1}, attribute=ATTRIBUTE, scales={scale}),
+        put(back[0], Step, {"amount": -1}, attribute=ATTRIBUTE, scales={scale}),
+        put(forward[1], Step, k=_forward(COUNT), attribute=ATTRIBUTE, scales={scale}),
+        put(back[1], Step, k=_back(COUNT), attribute=ATTRIBUTE, scales={scale}),
+    )
+
+
+RELATIONS: Final[tuple[Wording, ...]] = (
+    put(
+        Predicate.SAME,
+        Compare,
+        {"comparison": Comparison.EQUAL, "other": None},
+        attribute=ATTRIBUTE,
+    ),
+    put(
+        Predicate.DIFFERENT,
+        Compare,
+        {"comparison": Comparison.DIFFERENT, "other": None},
+        attribute=ATTRIBUTE,
+    ),
+    _across(Comparison.EQUAL, negated=False),
+    _across(Comparison.DIFFERENT, negated=True),
+    *(wording for comparison in _ORDERED for wording in _compared(comparison)),
+    *_steps(
+        (Predicate.NEXT_IN_ALPHABET, Predicate.AFTER_BY),
+        (Predicate.PREVIOUS_IN_ALPHABET, Predicate.BEFORE_BY),
+        Scale.LETTER,
+    ),
+    *(
+        wording
+        for scale in (Scale.ORDER, Scale.CYCLE)
+        for wording in _steps(
+            (Predicate.NEXT, Predicate.AFTER_BY), (Predicate.PREVIOUS, Predicate.BEFORE_BY), scale
+        )
+    ),
+    put(Predicate.MORE_BY, Step, k=_forward(NUMBER), attribute=ATTRIBUTE, scales=_NUMBERS),
+    put(Predicate.LESS_BY, Step, k=_back(NUMBER), attribute=ATTRIBUTE, scales=_NUMBERS),
+    put(Predicate.APART_BY, Apart, k=(NUMBER, "amount"), attribute=ATTRIBUTE),
+    put(Predicate.TWICE, Times, {"amount": 2}, attribute=ATTRIBUTE),
+    put(Predicate.HALF, Times, {"amount": _HALF}, attribute=ATTRIBUTE),
+    put(Predicate.TIMES, Times, k=(NUMBER, "amount"), attribute=ATTRIBUTE),
+    put(Predicate.TOGETHER, AddUp, k=(NUMBER, "amount"), attribute=ATTRIBUTE),
+    put(Predicate.RELATED, Named, {"directed": False}, relation=_RELATION),
+    put(
+        Predicate.RELATED,
+        Named,
+        {"directed": True},
+        relation=_RELATION,
+        way=(Part("way", lambda _, __: say(Key.IN_THAT_ORDER), lambda _, __: True), "directed"),
+    ),
+)
+"""How the other token, the first of the pair, stands to the subject, the second."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -35,118 +168,30 @@ class Two:
 
     def stands(self, relation: Relation) -> Does:
         """That the other is the first of the pair and the subject the second."""
-        match relation:
-            case Compare(attribute, comparison, own):
-                if own is None:
-                    return self._compares(attribute, comparison)
-                return self._compares_across(own, attribute, comparison)
-            case Step(attribute, amount):
-                return self._is_further(attribute, amount)
-            case Apart(attribute, amount):
-                return self._about(Predicate.APART_BY, attribute, k=Numeral(amount))
-            case Times(attribute, amount):
-                return self._is_times(attribute, amount)
-            case AddUp(attribute, amount):
-                return self._about(Predicate.TOGETHER, attribute, k=Numeral(amount))
-            case Named(name):
-                return self._is_related(name)
-            case _:
-                assert_never(relation)
+        return said_of(RELATIONS, relation, self.tokens, self.subject, other=self.other)
 
     def has(self, feature: PairFeature, *, converse: bool) -> Does:
         """That the feature holds of the other and the subject; `converse`: the other way round."""
         attribute = feature.attribute
         match feature.name:
             case "less-than" | "before":
-                return self._compares(attribute, Comparison.MORE if converse else Comparison.LESS)
+                less = Comparison.MORE if converse else Comparison.LESS
+                return self.stands(Compare(attribute, less))
             case "same":
-                return self._compares(attribute, Comparison.EQUAL)
+                return self.stands(Compare(attribute, Comparison.EQUAL))
             case "different":
-                return self._compares(attribute, Comparison.DIFFERENT)
+                return self.stands(Compare(attribute, Comparison.DIFFERENT))
             case "successor":
-                return self._is_further(attribute, -1 if converse else 1)
+                return self.stands(Step(attribute, -1 if converse else 1))
             case "twice":
-                predicate = Predicate.HALF if converse else Predicate.TWICE
-                return self._about(predicate, attribute)
+                return self.stands(Times(attribute, _HALF if converse else 2))
+            case name if converse:
+                return said_back(self, name)
             case name:
-                return self._is_related(name, back=converse)
-
-    def _about(self, predicate: Predicate, attribute: str, **parts: Phrase) -> Does:
-        named = AttributeNamed(attribute)
-        return does(predicate, self.subject, other=self.other, attribute=named, **parts)
-
-    def _compares(self, attribute: str, comparison: Comparison) -> Does:
-        """That the other compares so to the subject; "at most" is "the subject is not less"."""
-        match comparison:
-            case Comparison.EQUAL:
-                return self._about(Predicate.SAME, attribute)
-            case Comparison.DIFFERENT:
-                return self._about(Predicate.DIFFERENT, attribute)
-            case Comparison.LESS:
-                return self._is_greater(attribute)
-            case Comparison.MORE:
-                return self._is_less(attribute)
-            case Comparison.AT_MOST:
-                return _not(self._is_less(attribute))
-            case Comparison.AT_LEAST:
-                return _not(self._is_greater(attribute))
-            case _:
-                assert_never(comparison)
-
-    def _is_greater(self, attribute: str) -> Does:
-        predicate = self.tokens.compares(attribute, greater=True)
-        return self._about(predicate, attribute, adjective=Adjective(attribute, Degree.MORE))
-
-    def _is_less(self, attribute: str) -> Does:
-        predicate = self.tokens.compares(attribute, greater=False)
-        return self._about(predicate, attribute, adjective=Adjective(attribute, Degree.LESS))
-
-    def _compares_across(self, own: str, attribute: str, comparison: Comparison) -> Does:
-        """As `_compares`, what the subject shows under `own` with the other's `attribute`."""
-        theirs = AttributeNamed(attribute)
-        match comparison:
-            case Comparison.EQUAL | Comparison.DIFFERENT:
-                said = self._about(Predicate.SAME_ACROSS, own, theirs=theirs)
-                return said if comparison is Comparison.EQUAL else _not(said)
-            case Comparison.LESS | Comparison.AT_LEAST:
-                said = self._about(Predicate.MORE_ACROSS, own, theirs=theirs)
-                return said if comparison is Comparison.LESS else _not(said)
-            case Comparison.MORE | Comparison.AT_MOST:
-                said = self._about(Predicate.LESS_ACROSS, own, theirs=theirs)
-                return said if comparison is Comparison.MORE else _not(said)
-            case _:
-                assert_never(comparison)
-
-    def _is_further(self, attribute: str, amount: Number) -> Does:
-        if amount == 0:
-            return self._about(Predicate.SAME, attribute)
-        scale = self.tokens.deck.scales.get(attribute, Scale.NUMBER)
-        if scale in {Scale.LETTER, Scale.ORDER, Scale.CYCLE}:
-            return self._is_places_further(attribute, int(amount), scale)
-        predicate = Predicate.MORE_BY if amount > 0 else Predicate.LESS_BY
-        return self._about(predicate, attribute, k=Numeral(amount if amount > 0 else -amount))
-
-    def _is_places_further(self, attribute: str, amount: int, scale: Scale) -> Does:
-        after = amount > 0
-        if abs(amount) > 1:
-            predicate = Predicate.AFTER_BY if after else Predicate.BEFORE_BY
-            return self._about(predicate, attribute, k=Count(abs(amount)))
-        if scale is Scale.LETTER:
-            beside = Predicate.NEXT_IN_ALPHABET if after else Predicate.PREVIOUS_IN_ALPHABET
-            return self._about(beside, attribute)
-        return self._about(Predicate.NEXT if after else Predicate.PREVIOUS, attribute)
-
-    def _is_times(self, attribute: str, amount: Number) -> Does:
-        if amount == 2:  # noqa: PLR2004 - twice
-            return self._about(Predicate.TWICE, attribute)
-        if amount + amount == 1:
-            return self._about(Predicate.HALF, attribute)
-        return self._about(Predicate.TIMES, attribute, k=Numeral(amount))
-
-    def _is_related(self, name: str, *, back: bool = False) -> Does:
-        predicate = Predicate.RELATED_BACK if back else Predicate.RELATED
-        return does(predicate, self.subject, other=self.other, relation=Foreign(name))
+                return self.stands(Named(name))
 
 
-def _not(said: Does) -> Does:
-    return Does(said.predicate, said.parts, said.subject, not said.negated)
+def said_back(two: Two, name: str) -> Does:
+    """That the deck's relation holds of the subject and the other, in this order."""
+    parts: Mapping[str, Phrase] = {"relation": Foreign(name), "other": two.other}
+    return Does(Predicate.RELATED_BACK, MappingProxyType(parts), two.subject)

@@ -5,14 +5,13 @@ from __future__ import annotations
 from dataclasses import dataclass
 from decimal import Decimal
 from types import MappingProxyType
-from typing import Final, assert_never
+from typing import Final, cast
 
 from maestra.core.board import Board
 from maestra.core.tokens import Deck, Scale, Value
-from maestra.language.keys import Predicate
+from maestra.language.keys import Key, Predicate
 from maestra.language.phrases import (
     Adjective,
-    AttributeNamed,
     Count,
     Degree,
     Does,
@@ -21,14 +20,24 @@ from maestra.language.phrases import (
     Kind,
     Numeral,
     Phrase,
+    Say,
     Several,
     Things,
     ValueNamed,
-    does,
     opposite,
+    say,
 )
+from maestra.language.wordings import (
+    ATTRIBUTE,
+    COUNT,
+    ORIGINS,
+    About,
+    Part,
+    Wording,
+    put,
+)
+from maestra.rules.canonical import listed
 from maestra.rules.features import TokenFeature
-from maestra.rules.registry import PARAMETER_FEATURES
 from maestra.rules.setting import ORIGIN_COLUMN, ORIGIN_ROW
 from maestra.rules.token_tests import (
     Among,
@@ -43,15 +52,233 @@ from maestra.rules.token_tests import (
     TokenTest,
 )
 
-_PLAIN: Final = MappingProxyType(
-    {
-        "odd": Predicate.ODD,
-        "even": Predicate.EVEN,
-        "prime": Predicate.PRIME,
-        "vowel": Predicate.VOWEL,
-        "consonant": Predicate.CONSONANT,
-    }
+
+@dataclass(frozen=True, slots=True)
+class Quantity:
+    """A number, and how another one compares to it."""
+
+    comparison: Comparison
+    number: Value
+
+
+QUANTITIES: Final = tuple(
+    put(key, Quantity, {"comparison": comparison}, k=(COUNT, "number"))
+    for key, comparison in (
+        (Key.EXACTLY, Comparison.EQUAL),
+        (Key.AT_LEAST, Comparison.AT_LEAST),
+        (Key.AT_MOST, Comparison.AT_MOST),
+        (Key.MORE_THAN, Comparison.MORE),
+        (Key.FEWER_THAN, Comparison.LESS),
+        (Key.NOT_EXACTLY, Comparison.DIFFERENT),
+    )
 )
+"""How many, or how much."""
+_QUANTITY_KEYS: Final = MappingProxyType(
+    {cast("Comparison", one.fixed["comparison"]): cast("Key", one.says) for one in QUANTITIES}
+)
+
+
+def amount(comparison: Comparison, number: Phrase) -> Say:
+    """How many, or how much: at least three."""
+    return say(_QUANTITY_KEYS[comparison], k=number)
+
+
+def adjective(degree: Degree, *, many: bool = False) -> Part:
+    """What the greater or lesser of tokens is called under the attribute."""
+    called = "things" if many else "thing"
+    return Part(
+        f"{degree.value}_{called}", lambda attribute, _: Adjective(attribute, degree, many)
+    )
+
+
+def _shown(pair: tuple[str, str], about: About) -> Phrase | None:
+    attribute, written = pair
+    return ValueNamed(attribute, _typed(attribute, written, about.deck))
+
+
+def _typed(attribute: str, written: str, deck: Deck) -> Value:
+    """The value of the deck that a feature's name writes so."""
+    for token in deck.tokens:
+        value = token.value(attribute)
+        if value is not None and str(value) == written:
+            return value
+    return written
+
+
+def _compared_text(pair: tuple[str, Value], _: About) -> Phrase | None:
+    attribute, value = pair
+    return ValueNamed(attribute, value) if isinstance(value, str) else None
+
+
+def _compared_number(pair: tuple[Comparison, Value], _: About) -> Phrase | None:
+    comparison, value = pair
+    return None if isinstance(value, str) else amount(comparison, Numeral(value))
+
+
+def _storage_row(written: str, about: About) -> Phrase | None:
+    return board_row(about.board, int(written)) if written.isdigit() else None
+
+
+def storage_row_of(row: int, about: About) -> int | None:
+    """The storage row that is this row of the board; None for the goal row."""
+    goal = about.board.goal_row
+    return None if row == goal else row - (row > goal)
+
+
+def _written_row(row: int, about: About) -> str | None:
+    storage = storage_row_of(row, about)
+    return None if storage is None else str(storage)
+
+
+def board_row(board: Board, storage_row: int) -> InRow:
+    """A storage row, counted from 1 with the goal row passed over, as a row of the board."""
+    return InRow(storage_row + (storage_row >= board.goal_row))
+
+
+def _as_number(written: str) -> Value:
+    return Decimal(written) if "." in written else int(written)
+
+
+_PARAMETER: Final = Part(
+    "number", lambda written, _: Numeral(_as_number(written)), lambda number, _: str(number)
+)
+_DIGITS: Final = Part(
+    "number", lambda written, _: Count(int(written)), lambda number, _: str(number)
+)
+_SHOWN: Final = (
+    Part("value", _shown, lambda pair, _: (pair[0], str(pair[1]))),
+    "attribute",
+    "parameter",
+)
+_TEXT: Final = (
+    Part("value", _compared_text, lambda pair, _: pair if isinstance(pair[1], str) else None),
+    "attribute",
+    "value",
+)
+_AMOUNT: Final = (
+    Part(
+        "amount",
+        _compared_number,
+        lambda quantity, _: (quantity.comparison, quantity.number),
+    ),
+    "comparison",
+    "value",
+)
+_ROW: Final = (Part("row", _storage_row, _written_row), "parameter")
+_COLUMN: Final = (
+    Part(
+        "number",
+        lambda written, _: Numeral(int(written)) if written.isdigit() else None,
+        lambda number, _: str(number),
+    ),
+    "parameter",
+)
+_NUMBERS: Final = frozenset({Scale.NUMBER, Scale.NOMINAL})
+_ORDERS: Final = frozenset({Scale.ORDER, Scale.CYCLE})
+_LETTERS: Final = frozenset({Scale.LETTER})
+
+
+def _among(predicate: Predicate, extreme: Extreme, degree: Degree) -> tuple[Wording, Wording]:
+    called = (adjective(degree, many=True), "attribute")
+    of_row = {
+        Predicate.AMONG_MOST: Predicate.AMONG_MOST_OF_ROW,
+        Predicate.AMONG_LEAST: Predicate.AMONG_LEAST_OF_ROW,
+    }[predicate]
+    full = {"extreme": extreme, "number": None}
+    numbered = (Part("number", lambda n, _: None if n is None else Count(n)), "number")
+    return (
+        put(of_row, Among, full, adjective=called, attribute=ATTRIBUTE),
+        put(
+            predicate,
+            Among,
+            {"extreme": extreme},
+            count=numbered,
+            adjective=called,
+            attribute=ATTRIBUTE,
+        ),
+    )
+
+
+def _compared(
+    comparison: Comparison, numbers: Predicate, orders: Predicate, letters: Predicate
+) -> tuple[Wording, ...]:
+    """To a value that is no number: larger than, after, after in the alphabet."""
+    fixed = {"comparison": comparison}
+    degree = Degree.MORE if comparison is Comparison.MORE else Degree.LESS
+    called = (adjective(degree), "attribute")
+    return (
+        put(letters, Compared, fixed, other=_TEXT, attribute=ATTRIBUTE, scales=_LETTERS),
+        put(orders, Compared, fixed, other=_TEXT, attribute=ATTRIBUTE, scales=_ORDERS),
+        put(
+            numbers,
+            Compared,
+            fixed,
+            other=_TEXT,
+            adjective=called,
+            attribute=ATTRIBUTE,
+            scales=_NUMBERS,
+        ),
+    )
+
+
+TESTS: Final[tuple[Wording, ...]] = (
+    *(
+        put(predicate, Has, {"family": name, "parameter": ""}, attribute=ATTRIBUTE)
+        for name, predicate in (
+            ("odd", Predicate.ODD),
+            ("even", Predicate.EVEN),
+            ("prime", Predicate.PRIME),
+            ("vowel", Predicate.VOWEL),
+            ("consonant", Predicate.CONSONANT),
+        )
+    ),
+    *(
+        put(predicate, Has, {"family": family}, k=(part, "parameter"), attribute=ATTRIBUTE)
+        for family, predicate, part in (
+            ("multiple-of", Predicate.MULTIPLE_OF, _PARAMETER),
+            ("digits", Predicate.DIGITS, _DIGITS),
+            ("above", Predicate.ABOVE, _PARAMETER),
+            ("below", Predicate.BELOW, _PARAMETER),
+        )
+    ),
+    put(Predicate.FROM_ROW, Has, {"family": "is", "attribute": ORIGIN_ROW}, row=_ROW),
+    put(Predicate.FROM_COLUMN, Has, {"family": "is", "attribute": ORIGIN_COLUMN}, column=_COLUMN),
+    put(Predicate.IS, Has, {"family": "is"}, value=_SHOWN, attribute=ATTRIBUTE),
+    put(Predicate.AMOUNT, Compared, amount=_AMOUNT, attribute=ATTRIBUTE),
+    *_compared(Comparison.MORE, Predicate.MORE, Predicate.AFTER, Predicate.AFTER_IN_ALPHABET),
+    *_compared(Comparison.LESS, Predicate.LESS, Predicate.BEFORE, Predicate.BEFORE_IN_ALPHABET),
+    *(
+        put(predicate, Compared, {"comparison": comparison}, other=_TEXT, attribute=ATTRIBUTE)
+        for comparison, predicate in (
+            (Comparison.EQUAL, Predicate.LEVEL),
+            (Comparison.AT_LEAST, Predicate.LEVEL_OR_AFTER),
+            (Comparison.AT_MOST, Predicate.LEVEL_OR_BEFORE),
+            (Comparison.DIFFERENT, Predicate.BEFORE_OR_AFTER),
+        )
+    ),
+    *_among(Predicate.AMONG_MOST, Extreme.HIGHEST, Degree.MOST),
+    *_among(Predicate.AMONG_LEAST, Extreme.LOWEST, Degree.LEAST),
+    put(Predicate.ANYTHING, Anything),
+    put(Predicate.NOTHING, Not, {"of": Anything()}),
+)
+"""What can be asked of one token."""
+
+
+def said_of(
+    table: tuple[Wording, ...],
+    thing: object,
+    about: About,
+    subject: Phrase | None = None,
+    **more: Phrase,
+) -> Does:
+    """What is said of `subject`, by the first line of `table` that can say `thing`."""
+    for wording in table:
+        parts = wording.phrases(thing, about)
+        if parts is not None:
+            predicate = cast("Predicate", wording.says)
+            found = MappingProxyType({**parts, **more})
+            return Does(predicate, found, subject, wording.negated)
+    raise KeyError(thing)
 
 
 @dataclass(frozen=True, slots=True)
@@ -63,127 +290,33 @@ class Tokens:
 
     def has(self, feature: TokenFeature, subject: Phrase | None = None) -> Does:
         """That a token has a feature."""
-        predicate, parts = self._feature(feature)
-        return Does(predicate, MappingProxyType(parts), subject)
+        return said_of(TESTS, Has(feature), self, subject)
 
     def kind(self, test: TokenTest) -> Kind | None:
         """Tokens that pass a test, if there is a short way to call them."""
-        if not isinstance(test, Has) or test.feature.attribute in {ORIGIN_ROW, ORIGIN_COLUMN}:
+        if not isinstance(test, Has) or test.feature.attribute in ORIGINS:
             return None
-        predicate, parts = self._feature(test.feature)
+        said = self.has(test.feature)
         things = Things(test.feature.attribute)
-        return Kind(predicate, MappingProxyType({**parts, "things": things}))
+        return Kind(said.predicate, MappingProxyType({**said.parts, "things": things}))
 
-    def passes(self, test: TokenTest, subject: Phrase | None = None) -> Does | Several | None:
-        """That a token passes a test; None if every token does."""
+    def value_of(self, test: TokenTest) -> ValueNamed | None:
+        """The value that a test asks for, if it is just one and not about the origin."""
+        if not isinstance(test, Has):
+            return None
+        value = self.has(test.feature).parts.get("value")
+        return value if isinstance(value, ValueNamed) else None
+
+    def passes(self, test: TokenTest, subject: Phrase | None = None) -> Does | Several:
+        """That a token passes a test, in its canonical form."""
         match test:
-            case Anything():
-                return None
-            case Has(feature):
-                return self.has(feature, subject)
-            case Compared(attribute, comparison, value):
-                return self._compares(attribute, comparison, value, subject)
-            case Among():
-                return self._is_among(test, subject)
+            case Either() | Both():
+                kind = type(test)
+                members = tuple(self.passes(each, subject) for each in listed(kind, test))
+                return Several(members, Joint.OR if kind is Either else Joint.AND)
+            case Not(Anything()):
+                return said_of(TESTS, test, self, subject)
             case Not(of):
-                said = self.passes(of, subject)
-                return does(Predicate.NOTHING, subject) if said is None else opposite(said)
-            case Either(first, second):
-                return self._joined((first, second), Joint.OR, subject)
-            case Both(first, second):
-                return self._joined((first, second), Joint.AND, subject)
+                return opposite(self.passes(of, subject))
             case _:
-                assert_never(test)
-
-    def compares(self, attribute: str, *, greater: bool) -> Predicate:
-        """What is said of the greater, or the less, of two; it needs an `adjective`."""
-        scale = self.deck.scales.get(attribute, Scale.NUMBER)
-        match scale:
-            case Scale.LETTER:
-                return Predicate.AFTER_IN_ALPHABET if greater else Predicate.BEFORE_IN_ALPHABET
-            case Scale.ORDER | Scale.CYCLE:
-                return Predicate.AFTER if greater else Predicate.BEFORE
-            case Scale.NUMBER | Scale.NOMINAL:
-                return Predicate.MORE if greater else Predicate.LESS
-            case _:
-                assert_never(scale)
-
-    def _joined(
-        self, tests: tuple[TokenTest, TokenTest], joint: Joint, subject: Phrase | None
-    ) -> Does | Several | None:
-        said = [self.passes(test, subject) for test in tests]
-        needed = tuple(each for each in said if each is not None)
-        if len(needed) < len(said):
-            # "or anything" asks nothing, "and anything" asks nothing more.
-            return None if joint is Joint.OR or not needed else needed[0]
-        return Several(needed, joint)
-
-    def _feature(self, feature: TokenFeature) -> tuple[Predicate, dict[str, Phrase]]:
-        attribute = AttributeNamed(feature.attribute)
-        if feature.name in _PLAIN:
-            return _PLAIN[feature.name], {}
-        family = next(name for name in PARAMETER_FEATURES if feature.name.startswith(f"{name}-"))
-        parameter = feature.name.removeprefix(f"{family}-")
-        match family:
-            case "multiple-of":
-                return Predicate.MULTIPLE_OF, {"k": Numeral(int(parameter))}
-            case "digits":
-                return Predicate.DIGITS, {"k": Count(int(parameter))}
-            case "above" | "below":
-                predicate = Predicate.ABOVE if family == "above" else Predicate.BELOW
-                return predicate, {"k": Numeral(Decimal(parameter)), "attribute": attribute}
-            case _:
-                return self._is(feature.attribute, self._value(feature.attribute, parameter))
-
-    def _value(self, attribute: str, written: str) -> Value:
-        """The value of the deck that a feature's name writes so."""
-        for token in self.deck.tokens:
-            value = token.value(attribute)
-            if value is not None and str(value) == written:
-                return value
-        return written
-
-    def _is(self, attribute: str, value: Value) -> tuple[Predicate, dict[str, Phrase]]:
-        if attribute == ORIGIN_ROW:
-            return Predicate.FROM_ROW, {"row": board_row(self.board, int(value))}
-        if attribute == ORIGIN_COLUMN:
-            return Predicate.FROM_COLUMN, {"column": Numeral(int(value))}
-        named = ValueNamed(attribute, value)
-        return Predicate.IS, {"value": named, "attribute": AttributeNamed(attribute)}
-
-    def _compares(
-        self, attribute: str, comparison: Comparison, value: Value, subject: Phrase | None
-    ) -> Does | Several:
-        """That what a token shows compares so to a value; "at least" is "not below"."""
-        if comparison in {Comparison.AT_LEAST, Comparison.AT_MOST, Comparison.DIFFERENT}:
-            return opposite(self._compares(attribute, comparison.opposite, value, subject))
-        if comparison is Comparison.EQUAL:
-            predicate, parts = self._is(attribute, value)
-            return Does(predicate, MappingProxyType(parts), subject)
-        greater = comparison is Comparison.MORE
-        named = AttributeNamed(attribute)
-        if isinstance(value, str):
-            predicate = self.compares(attribute, greater=greater)
-            adjective = Adjective(attribute, Degree.MORE if greater else Degree.LESS)
-            other = ValueNamed(attribute, value)
-            return does(predicate, subject, other=other, adjective=adjective, attribute=named)
-        predicate = Predicate.ABOVE if greater else Predicate.BELOW
-        return does(predicate, subject, k=Numeral(value), attribute=named)
-
-    def _is_among(self, test: Among, subject: Phrase | None) -> Does:
-        number = self.board.columns if test.number is None else test.number
-        highest = test.extreme is Extreme.HIGHEST
-        return does(
-            Predicate.AMONG_MOST if highest else Predicate.AMONG_LEAST,
-            subject,
-            count=Count(number),
-            adjective=Adjective(
-                test.attribute, Degree.MOST if highest else Degree.LEAST, many=True
-            ),
-            attribute=AttributeNamed(test.attribute),
-        )
-
-
-def board_row(board: Board, storage_row: int) -> InRow:
-    """A storage row, counted from 1 with the goal row passed over, as a row of the board."""
-    return InRow(storage_row + (storage_row >= board.goal_row))
+                return said_of(TESTS, test, self, subject)

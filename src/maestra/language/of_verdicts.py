@@ -14,43 +14,38 @@ from typing import Final, assert_never
 from maestra.core.board import Cell
 from maestra.core.tokens import Deck
 from maestra.language.keys import Key
+from maestra.language.of_broken_rules import Against, not_so
 from maestra.language.of_pairs import Two
-from maestra.language.of_rules import Rules, relation_of
 from maestra.language.of_summary import either
 from maestra.language.of_tokens import Tokens
 from maestra.language.phrases import (
-    Does,
     InRow,
     Named,
     Nth,
     Numeral,
     Place,
     Say,
-    Several,
-    opposite,
     say,
 )
-from maestra.rules.forms.order import Ordered
-from maestra.rules.forms.patterns import Pattern
-from maestra.rules.forms.relations import EachPair
-from maestra.rules.forms.selection import EveryToken
-from maestra.rules.forms.sources import StraightUp
-from maestra.rules.forms.timing import FillOrder
-from maestra.rules.judging import (
-    AfterTheEnd,
-    BrokenPrecondition,
-    DeadEnd,
-    JudgedMove,
-    NotShown,
-    Refused,
-)
-from maestra.rules.rule import Rule
-from maestra.rules.setting import ORIGIN_ROW, Play, Setting
+from maestra.rules.account import Account
 from maestra.rules.strips.actions import Action
 from maestra.rules.strips.literals import Contains, Literal, Placed, Related, Shows
 from maestra.rules.summaries.blame import broken_rules
 from maestra.rules.summaries.summary import Check, Summary, Unseen
-from maestra.rules.token_tests import Has
+from maestra.rules.verdicts import (
+    AfterTheEnd,
+    BrokenPrecondition,
+    DeadEnd,
+    GroundedRefusal,
+    JudgedMove,
+    NoPlacement,
+    NotKnown,
+    NotShown,
+    NoWayOn,
+    RowDone,
+    RuledRefusal,
+    RulesBroken,
+)
 
 MAX_WORDS: Final = 12
 """In a sentence for patients."""
@@ -63,17 +58,57 @@ _FIRST: Final = ("to-goal-row", "from-storage", "destination", "destination-colu
 """What is wrong with the move's cells is said before what lies on others; origins come last."""
 
 
+def reasons(judged: JudgedMove, account: Account, deck: Deck) -> Iterator[Say]:
+    """Why a move was refused, the most telling first; the last one is always short.
+
+    None, if it was not.
+
+    Args:
+        judged: the move and its verdict.
+        account: of the exercise it was judged by.
+        deck: the tokens it was played with.
+    """
+    verdict = judged.verdict
+    if isinstance(verdict, RuledRefusal):
+        yield from _of_rules(verdict, judged, deck)
+    elif isinstance(verdict, GroundedRefusal) and isinstance(account, Summary):
+        yield from _OfActions(judged, verdict, account, deck).all()
+    else:
+        return
+    yield say(Key.NOT_NOW)
+
+
+def _of_rules(verdict: RuledRefusal, judged: JudgedMove, deck: Deck) -> Iterator[Say]:
+    """Why the rules of an exercise refuse a move."""
+    board = judged.before.board
+    against = Against(judged.before, judged.move, deck, Tokens(board, deck))
+    match verdict:
+        case RulesBroken(rules):
+            for one in rules:
+                yield from against.of_rule(one.rule)
+        case NoPlacement():
+            yield from against.of_frame()
+        case NoWayOn():
+            yield say(Key.NO_WAY_ON)
+        case RowDone():
+            yield say(Key.AFTER_THE_END)
+        case NotKnown():
+            yield say(Key.ASK_CAREGIVER)
+        case _:
+            assert_never(verdict)
+
+
 @dataclass(frozen=True, slots=True)
-class Reasons:
-    """Says why one move was refused."""
+class _OfActions:
+    """Says why one move was refused by the actions of an exercise."""
 
     judged: JudgedMove
-    verdict: Refused
+    verdict: GroundedRefusal
     summary: Summary
     deck: Deck
 
     def all(self) -> Iterator[Say]:
-        """The reasons, the most telling first; the last one is always short."""
+        """The reasons, the most telling first."""
         match self.verdict:
             case DeadEnd():
                 yield say(Key.DEAD_END)
@@ -87,7 +122,6 @@ class Reasons:
                 yield from self._of_literals(literals)
             case _:
                 assert_never(self.verdict)
-        yield say(Key.NOT_NOW)
 
     @property
     def _tokens(self) -> Tokens:
@@ -104,62 +138,11 @@ class Reasons:
     def _of_rules(self) -> Iterator[Say]:
         """A reason for each broken rule; where the token goes is said first."""
         before, move = self.judged.before, self.judged.move
+        against = Against(before, move, self.deck, self._tokens)
         if self.summary.places:
-            yield from self._of_frame()
+            yield from against.of_frame()
         for rule in broken_rules(self.summary, before, self.deck, move):
-            yield from self._of_rule(rule)
-
-    def _of_rule(self, rule: Rule) -> Iterator[Say]:
-        match rule:
-            case FillOrder():
-                yield self._of_order(rule)
-            case EveryToken(Has(feature)) if feature.attribute == ORIGIN_ROW:
-                yield Rules(self._tokens).says(rule)
-            case StraightUp(mirrored=False):
-                yield say(Key.OTHER_COLUMN, token=self._moved)
-            case EveryToken(test):
-                yield _not_so(Rules(self._tokens).does(test, self._moved))
-            case Ordered() | EachPair():
-                yield from self._of_neighbours(rule)
-            case Pattern():
-                yield from self._of_pattern(rule)
-            case _:
-                yield Rules(self._tokens).says(rule)
-
-    def _of_order(self, rule: FillOrder) -> Say:
-        play = Play.begin(Setting(self.deck, self.judged.before))
-        cell = self.summary.board.goal_cells[rule.next_cells(play)[0]]
-        return say(Key.NEXT_PLACE, place=Place(cell))
-
-    def _of_neighbours(self, rule: Ordered | EachPair) -> Iterator[Say]:
-        """Of the wrong pairs with the moved token in them the closest, seen from its right one."""
-        before, move = self.judged.before, self.judged.move
-        play = Play.begin(Setting(self.deck, before))
-        cell = move.destination.column - 1
-        after = play.after(play.setting.number_of[move.token], cell)
-        wrong = [
-            (right - left, one, two)
-            for left, right, masks in rule.links(after.setting)
-            if cell in {left, right}
-            and (one := after.row[left]) is not None
-            and (two := after.row[right]) is not None
-            and not masks[one] >> two & 1
-        ]
-        _, one, two = min(wrong)
-        shown = [Named(self.deck.tokens[token].attributes) for token in (one, two)]
-        relation = relation_of(rule)
-        other = say(Key.TOKEN_ON_ITS_LEFT, token=shown[0])
-        yield _not_so(Two(self._tokens, shown[1], other).stands(relation))
-        for shorter in (other, say(Key.THE_ONE_ON_ITS_LEFT)):
-            yield _not_so(Two(self._tokens, say(Key.IT), shorter).stands(relation))
-
-    def _of_pattern(self, rule: Pattern) -> Iterator[Say]:
-        """What belongs where the token was put, if that is one thing."""
-        place = (self._destination.column - 1) % len(rule.tests)
-        value = Rules(self._tokens).value_of(rule.tests[place])
-        if value is not None:
-            yield say(Key.WRONG_PLACE, token=value, place=Place(self._destination))
-        yield Rules(self._tokens).says(rule)
+            yield from against.of_rule(rule)
 
     def _of_unknown(self, action: Action) -> Iterator[Say]:
         """Nothing is broken: was the token not shown yet, or can no right row begin so?"""
@@ -172,14 +155,6 @@ class Reasons:
         if not shown and not told and summary.check is not Check.NOT_COMPARED:
             yield say(Key.DEAD_END)
         yield say(Key.NOT_SHOWN, tokens=either((action.shown,)), nth=Nth(action.step))
-
-    def _of_frame(self) -> Iterator[Say]:
-        """A move that does not take a token from storage to the goal row."""
-        goal = self.summary.board.goal_row
-        if self.judged.move.origin.row == goal:
-            yield say(Key.NOT_FROM_STORAGE, token=self._moved, row=InRow(goal))
-        if self._destination.row != goal:
-            yield say(Key.NOT_TO_GOAL_ROW, row=InRow(goal))
 
     def _of_literals(self, literals: tuple[Literal, ...]) -> Iterator[Say]:
         for literal in sorted(literals, key=self._rank):
@@ -210,9 +185,9 @@ class Reasons:
             return [say(Key.NOTHING_THERE, place=Place(literal.cell))]
         there = self._beside(literal.cell, Named(self.deck.by_id[lying].attributes))
         if isinstance(literal, Shows):
-            return [_not_so(self._tokens.has(literal.feature, there))]
+            return [not_so(self._tokens.has(literal.feature, there))]
         both = [Two(self._tokens, subject, there) for subject in (self._moved, say(Key.IT))]
-        return [_not_so(two.has(literal.feature, converse=literal.converse)) for two in both]
+        return [not_so(two.has(literal.feature, converse=literal.converse)) for two in both]
 
     def _beside(self, cell: Cell, there: Named) -> Say:
         """A token on `cell`, seen from where the moved one goes."""
@@ -239,7 +214,3 @@ class Reasons:
         if name == "to-goal-row":
             return say(Key.NOT_TO_GOAL_ROW, row=goal)
         return say(Key.OTHER_COLUMN, token=self._moved)
-
-
-def _not_so(said: Does | Several) -> Say:
-    return say(Key.NOT_SO, does=opposite(said))

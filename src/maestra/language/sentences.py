@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 from maestra.core.tokens import Deck
@@ -9,13 +10,17 @@ from maestra.language.keys import Key
 from maestra.language.languages import Language, speaker_for
 from maestra.language.lexicon import NO_LEXICON, Lexicon
 from maestra.language.of_literals import Conditions, needed
+from maestra.language.of_rules import Rules
 from maestra.language.of_summary import check_of, gaps_of, rules_of
 from maestra.language.of_tokens import Tokens
-from maestra.language.of_verdicts import MAX_WORDS, Reasons
+from maestra.language.of_verdicts import MAX_WORDS, reasons
 from maestra.language.phrases import Named, Nth, say
-from maestra.rules.judging import Allowed, JudgedMove, PutBack
+from maestra.rules.account import Account
+from maestra.rules.exercise import RuledExercise
+from maestra.rules.rule import Rule
 from maestra.rules.strips.actions import Action, ActionModel
 from maestra.rules.summaries.summary import Summary
+from maestra.rules.verdicts import JudgedMove
 
 
 @dataclass(frozen=True, slots=True)
@@ -39,11 +44,26 @@ class ActionExplanation:
 
 
 def rule_sentences(
-    summary: Summary, language: Language, lexicon: Lexicon = NO_LEXICON
+    account: Account, language: Language, lexicon: Lexicon = NO_LEXICON
 ) -> tuple[Sentence, ...]:
     """What the exercise asks for, as a caregiver would say it."""
-    speaker = speaker_for(language, summary.board, summary.deck, lexicon)
-    return tuple(Sentence(one.id, speaker.sentence(one.phrase)) for one in rules_of(summary))
+    if isinstance(account, Summary):
+        speaker = speaker_for(language, account.board, account.deck, lexicon)
+        return tuple(Sentence(one.id, speaker.sentence(one.phrase)) for one in rules_of(account))
+    said = conjunction_sentences(account, account.conjunction, language, lexicon)
+    return tuple(Sentence(one.id, text) for one, text in zip(account.rules, said, strict=True))
+
+
+def conjunction_sentences(
+    exercise: RuledExercise,
+    rules: Sequence[Rule],
+    language: Language,
+    lexicon: Lexicon = NO_LEXICON,
+) -> tuple[str, ...]:
+    """Any rules about the exercise's tokens in words: its own, or those of an alternative."""
+    speaker = speaker_for(language, exercise.board, exercise.deck, lexicon)
+    said = Rules(Tokens(exercise.board, exercise.deck))
+    return tuple(speaker.sentence(said.says(rule)) for rule in rules)
 
 
 def gap_sentences(
@@ -84,7 +104,7 @@ def explain_action(
 
 def reason(
     judged: JudgedMove,
-    summary: Summary,
+    account: Account,
     deck: Deck,
     language: Language,
     lexicon: Lexicon = NO_LEXICON,
@@ -93,14 +113,11 @@ def reason(
 
     Args:
         judged: the move and its verdict.
-        summary: of the exercise it was judged by.
+        account: of the exercise it was judged by.
         deck: the tokens it was played with.
         language: to say it in.
         lexicon: a caregiver's own words.
     """
-    verdict = judged.verdict
-    if isinstance(verdict, Allowed | PutBack):
-        return ""
-    speaker = speaker_for(language, summary.board, deck, lexicon)
-    said = (speaker.sentence(why) for why in Reasons(judged, verdict, summary, deck).all())
-    return next(sentence for sentence in said if len(sentence.split()) <= MAX_WORDS)
+    speaker = speaker_for(language, judged.before.board, deck, lexicon)
+    said = (speaker.sentence(why) for why in reasons(judged, account, deck))
+    return next((sentence for sentence in said if len(sentence.split()) <= MAX_WORDS), "")

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from functools import cached_property
@@ -9,8 +10,8 @@ from types import MappingProxyType
 from typing import Final, assert_never
 
 from maestra.core.board import Board
-from maestra.core.tokens import Attributes, Deck, Value
-from maestra.language.keys import Predicate
+from maestra.core.tokens import Attributes, Deck, Scale, Value
+from maestra.language.keys import Key, Predicate
 from maestra.language.phrases import (
     Adjective,
     AttributeNamed,
@@ -19,6 +20,7 @@ from maestra.language.phrases import (
     Does,
     Foreign,
     InRow,
+    Joint,
     Kind,
     Listing,
     Named,
@@ -30,9 +32,11 @@ from maestra.language.phrases import (
     Several,
     Things,
     ValueNamed,
+    say,
 )
-from maestra.language.templates import Spoken, fill
+from maestra.language.templates import Spoken, fill, slots
 from maestra.language.tongue import AttributeWords, Grammar, Naming, VerbForms, Words, inflect
+from maestra.language.wordings import ORIGINS
 
 _UNKNOWN: Final = AttributeWords("")
 _WITHOUT_ADJECTIVE: Final = MappingProxyType(
@@ -45,6 +49,8 @@ _WITHOUT_ADJECTIVE: Final = MappingProxyType(
         Predicate.LEAST_LEFT: Predicate.LOWEST_LEFT,
         Predicate.AMONG_MOST: Predicate.AMONG_HIGHEST,
         Predicate.AMONG_LEAST: Predicate.AMONG_LOWEST,
+        Predicate.AMONG_MOST_OF_ROW: Predicate.AMONG_HIGHEST_OF_ROW,
+        Predicate.AMONG_LEAST_OF_ROW: Predicate.AMONG_LOWEST_OF_ROW,
     }
 )
 """What is said instead where the attribute has no comparative or superlative."""
@@ -53,6 +59,7 @@ _BESIDE_ATTRIBUTE: Final = MappingProxyType(
         Predicate.IS: Predicate.SHOWS,
         Predicate.ABOVE: Predicate.HAS_ABOVE,
         Predicate.BELOW: Predicate.HAS_BELOW,
+        Predicate.AMOUNT: Predicate.HAS_AMOUNT,
     }
 )
 """What is said instead where a value is not understood without its attribute."""
@@ -127,10 +134,69 @@ class Speaker:
         """What is said of a subject, in every form of the verb; `clause` has the subject too."""
         subject = self.grammar.token if does.subject is None else self.spoken(does.subject)
         verb, template = self._predicate(does)
-        rest = self._fill(template, {**self._agreeing(does.parts, subject), "subject": subject})
         plural = replace(self.grammar.token, many=True)
-        of_many = self._fill(template, {**self._agreeing(does.parts, plural), "subject": plural})
-        return self._conjugate(self.words.verbs[verb], (rest, of_many), does, subject)
+        rests = (
+            self._rest(template, does.parts, subject),
+            self._rest(template, does.parts, plural),
+        )
+        return self._conjugate(self.words.verbs[verb], rests, does, subject)
+
+    def _rest(self, template: str, parts: Mapping[str, Phrase], subject: Spoken) -> str:
+        """What follows the verb, and where it is needed by which attribute."""
+        text = self._fill(template, {**self._agreeing(parts, subject), "subject": subject})
+        if "way" in parts:
+            text = f"{text} {self.spoken(parts['way']).text}"
+        attribute = parts.get("attribute")
+        if isinstance(attribute, AttributeNamed) and self._is_shared(template, attribute, parts):
+            text = f"{text} {self.spoken(say(Key.BY_ATTRIBUTE, attribute=attribute)).text}"
+        return text
+
+    def _is_shared(
+        self, template: str, attribute: AttributeNamed, parts: Mapping[str, Phrase]
+    ) -> bool:
+        """Whether the words alone do not tell which attribute is meant."""
+        if "attribute" in slots(template):
+            return False
+        if attribute.attribute in ORIGINS:
+            return True
+        said = self._fill_of(template, parts)
+        return any(
+            self._fill_of(template, moved) == said
+            for rival in self.deck.scales
+            if rival != attribute.attribute
+            and (moved := self._said_of(rival, attribute.attribute, parts)) is not None
+        )
+
+    def _fill_of(self, template: str, parts: Mapping[str, Phrase]) -> str:
+        token = self.grammar.token
+        return self._fill(template, {**self._agreeing(parts, token), "subject": token})
+
+    def _said_of(
+        self, rival: str, attribute: str, parts: Mapping[str, Phrase]
+    ) -> Mapping[str, Phrase] | None:
+        """The same said of another attribute; None if it makes no sense of that one."""
+        scales = self.deck.scales
+        moved: dict[str, Phrase] = {}
+        valued = False
+        for name, part in parts.items():
+            match part:
+                case ValueNamed(_, value):
+                    if not self._shows(rival, value):
+                        return None
+                    moved[name] = ValueNamed(rival, value)
+                    valued = True
+                case Adjective():
+                    moved[name] = replace(part, attribute=rival)
+                    if self._degree(replace(part, attribute=rival)) is None:
+                        return None
+                case _:
+                    moved[name] = part
+        return moved if valued or scales[rival] is scales.get(attribute) else None
+
+    def _shows(self, attribute: str, value: Value) -> bool:
+        if not isinstance(value, str):
+            return self.deck.scales[attribute] is Scale.NUMBER
+        return any(token.value(attribute) == value for token in self.deck.tokens)
 
     def _predicate(self, does: Does) -> tuple[str, str]:
         """The verb and what follows it; a relation may have words of the caregiver's."""
@@ -171,10 +237,23 @@ class Speaker:
         return spoken
 
     def _several(self, several: Several) -> Spoken:
-        members = [self.spoken(each) for each in several.of]
+        members = [self._member(each) for each in several.of]
         forms = {
             name: self.grammar.join([each.forms[name] for each in members], several.joint)
             for name in ("must", "does", "that", "do")
+        }
+        return Spoken(forms["does"], forms)
+
+    def _member(self, member: Does | Several) -> Spoken:
+        """One of several things; if it is several itself, where it begins is heard."""
+        spoken = self.spoken(member)
+        if isinstance(member, Does):
+            return spoken
+        key = Key.EITHER_OF if member.joint is Joint.OR else Key.BOTH_OF
+        template = self.words.sentences[key]
+        forms = {
+            name: self._fill(template, {"several": Spoken(form)})
+            for name, form in spoken.forms.items()
         }
         return Spoken(forms["does"], forms)
 
@@ -191,7 +270,7 @@ class Speaker:
     def _kind(self, predicate: Predicate, parts: Mapping[str, Phrase]) -> Spoken:
         plural = replace(self.grammar.token, many=True)
         template = self.words.kinds[self._sayable(predicate, parts)]
-        return Spoken(self._fill(template, self._agreeing(parts, plural)), many=True)
+        return Spoken(self._rest(template, parts, plural), many=True)
 
     def _things(self, attribute: str) -> Spoken:
         """What tokens are called that show `attribute` and nothing else."""
@@ -231,8 +310,18 @@ class Speaker:
         return Spoken(inflect(word, subject.gender, many=subject.many))
 
     def _attribute(self, attribute: str) -> AttributeWords:
-        words = self.words.attributes.get(attribute)
-        return words or replace(_UNKNOWN, noun=attribute)
+        words = self.words.attributes.get(attribute, replace(_UNKNOWN, noun=attribute))
+        if attribute not in self._namesakes:
+            return words
+        return replace(words, noun=attribute, plural=None, things=None)
+
+    @cached_property
+    def _namesakes(self) -> frozenset[str]:
+        """Attributes of the deck that would be called the same; their names tell them apart."""
+        known = self.words.attributes
+        nouns = {name: known[name].noun if name in known else name for name in self.deck.scales}
+        counts = Counter(nouns.values())
+        return frozenset(name for name, noun in nouns.items() if counts[noun] > 1)
 
     def _is_apart(self, attribute: str) -> bool:
         """Whether a value of `attribute` is said with the attribute's name beside it."""

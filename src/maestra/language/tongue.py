@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
+from decimal import Decimal
 from enum import Enum
 from typing import Final, Protocol
 
@@ -156,3 +157,8 @@ def inflect(word: str, gender: Gender, *, many: bool = False) -> str:
     forms = word.split("|")
     wanted = (gender is Gender.FEMININE) + 2 * many
     return forms[wanted % len(forms)]
+
+
+def plain_number(number: Value) -> str:
+    """In digits, never with an exponent."""
+    return f"{number:f}" if isinstance(number, Decimal) else str(number)

@@ -124,18 +124,26 @@ class Conjunction:
             case _:
                 assert_never(outlook)
 
-    def allowed_moves(self, play: Play) -> tuple[tuple[Index, Index], ...]:
+    def allowed_moves(
+        self, play: Play, *, undecided: bool = False
+    ) -> tuple[tuple[Index, Index], ...]:
         """Every token and goal cell that `judge` allows now, by cell and token.
 
         A completion that is found shows more than one of them at once: where nothing looks at
         the order in time, each of its moves could have been the next.
+
+        Args:
+            play: the moves so far.
+            undecided: whether to list also what `judge` did not find out about.
         """
         known: dict[tuple[Index, Index], bool] = {}
         for cell in play.free:
             for token in bits(play.left):
                 if (token, cell) not in known:
                     outlook = self.outlook(play.after(token, cell))
-                    known[token, cell] = isinstance(outlook, Completable)
+                    known[token, cell] = isinstance(outlook, Completable) or (
+                        undecided and isinstance(outlook, Undecided)
+                    )
                     if isinstance(outlook, Completable) and not self.timed and not self.filling:
                         for move in outlook.example.placed[len(play.placed) :]:
                             known[move] = True

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from enum import Enum
-from typing import Annotated, TypeAlias
+from typing import Annotated, Final, TypeAlias
 
 import numpy as np
 from pydantic import Field
@@ -67,6 +67,10 @@ Rule: TypeAlias = Annotated[
     | UntilTotal,
     Field(discriminator="form"),
 ]
+
+
+MAX_RULES: Final = 100
+"""In one exercise: nobody could keep in mind more."""
 
 
 class Prospect(Enum):

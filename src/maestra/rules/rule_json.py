@@ -9,18 +9,25 @@ from __future__ import annotations
 import json
 from collections.abc import Sequence
 from functools import cache
-from typing import Annotated, Any, Final, Literal, cast
+from typing import Annotated, Any, Final, Literal, TypeAlias, cast
 
-from pydantic import BaseModel, ConfigDict, Field, TypeAdapter, ValidationError
-from pydantic_core import ErrorDetails
+from pydantic import (
+    BaseModel,
+    ConfigDict,
+    Field,
+    GetCoreSchemaHandler,
+    GetJsonSchemaHandler,
+    TypeAdapter,
+    ValidationError,
+)
+from pydantic.json_schema import JsonSchemaValue
+from pydantic_core import CoreSchema, ErrorDetails, core_schema
 
 from maestra.core.faults import Fault, InvalidError, shorten
 from maestra.core.json_lines import FormatError, decode_object
-from maestra.rules.rule import Rule
+from maestra.rules.rule import MAX_RULES, Rule
 
 RULES_FORMAT: Final = "maestra.rules/1"
-MAX_RULES: Final = 100
-"""In one exercise: nobody could keep in mind more."""
 
 
 class RulesJson(BaseModel):
@@ -36,14 +43,34 @@ class RulesJson(BaseModel):
 
 
 @cache
-def _adapter() -> TypeAdapter[Rule]:
+def rule_adapter() -> TypeAdapter[Rule]:
     """Built when the first rule is read or written: it takes longer than all imports."""
     return TypeAdapter(Rule)
 
 
+class _AsWritten:
+    """An annotation: read as it is, described by the rules' schema."""
+
+    def __get_pydantic_core_schema__(
+        self, source: object, handler: GetCoreSchemaHandler
+    ) -> CoreSchema:
+        del source, handler
+        return core_schema.any_schema()
+
+    def __get_pydantic_json_schema__(
+        self, schema: CoreSchema, handler: GetJsonSchemaHandler
+    ) -> JsonSchemaValue:
+        del schema
+        return handler(rule_adapter().core_schema)
+
+
+RuleJson: TypeAlias = Annotated[object, _AsWritten()]
+"""A rule within another file's model: what is written, which `decode_rule` reads."""
+
+
 def encode_rule(rule: Rule) -> dict[str, Any]:
     """The rule as JSON has it; `decode_rule` gives the same rule again."""
-    return cast("dict[str, Any]", _tag_first(_adapter().dump_python(rule, mode="json")))
+    return cast("dict[str, Any]", _tag_first(rule_adapter().dump_python(rule, mode="json")))
 
 
 def _tag_first(written: object) -> object:
@@ -66,7 +93,7 @@ def decode_rule(written: object) -> Rule:
         InvalidError: it is none; with every fault and its place.
     """
     try:
-        return _adapter().validate_python(written)
+        return rule_adapter().validate_python(written)
     except ValidationError as error:
         raise InvalidError(faults_of_rule(error, written)) from None
 

@@ -9,6 +9,14 @@ SENTENCES: Final[Mapping[str, str]] = MappingProxyType(
         "learned": "Demostracions vistes: {demonstrations}. Accions apreses: {actions}.",
         "written": "Desat a {file}.",
         "still-narrow": "Encara no és clar:",
+        "sure": "N'estic segur al {percent} %.",
+        "not-sure": "No n'estic segur: {percent} %.",
+        "could-also-be": "No n'estic segur: {percent} %. També podria ser:",
+        "no-simple-rule": "No n'estic segur: cap regla senzilla explica el que he vist. Mentre "
+        "no em digui més, només permeto això:",
+        "does-not-fit": "No n'estic segur: el que m'ha mostrat i el que m'ha dit no encaixen.",
+        "told": "Vostè m'ho ha dit així.",
+        "no-rule": "Tot val.",
         "show-next": "Per aclarir-ne el màxim, mostreu ara això:",
         "planned": "Planificat per {engine} en {seconds} s. Problemes: {problems}. "
         "Supressions supèrflues descartades: {superfluous}.",
@@ -71,6 +79,13 @@ SENTENCES: Final[Mapping[str, str]] = MappingProxyType(
         "{play}  tornar a començar\n"
         "{menu}  triar un altre exercici\n"
         "{quit}  acabar la sessió",
+        "help-session": "{token} 1  mou {token} a la columna 1 de la fila de destinació\n"
+        "{token}    la mou a la primera columna lliure\n"
+        "{undo}  torna el que és fora de lloc\n"
+        "{hint}  demana ajuda\n"
+        "{show}  fa que un altre faci aquest moviment\n"
+        "{done}  diu que això és tot\n"
+        "{quit}  acaba la sessió",
         "help-choosing": "Escriviu el nombre d'un exercici, o {quit} per acabar la sessió.",
         "goodbye": "A reveure.",
         "goal": "destí",

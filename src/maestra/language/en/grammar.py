@@ -8,7 +8,7 @@ from typing import Final
 from maestra.core.tokens import Value
 from maestra.language.phrases import Joint
 from maestra.language.templates import Spoken
-from maestra.language.tongue import AttributeWords
+from maestra.language.tongue import AttributeWords, plain_number
 
 _NTH: Final = [
     "first",
@@ -94,7 +94,7 @@ class English:
 
     def numeral(self, number: Value) -> str:
         """With a decimal point."""
-        return str(number)
+        return plain_number(number)
 
     def place(self, row: int, column: int) -> Spoken:
         """``row 2, column 3``."""

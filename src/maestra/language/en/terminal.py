@@ -9,6 +9,14 @@ SENTENCES: Final[Mapping[str, str]] = MappingProxyType(
         "learned": "Demonstrations seen: {demonstrations}. Actions learned: {actions}.",
         "written": "Saved in {file}.",
         "still-narrow": "Not clear yet:",
+        "sure": "I am {percent} % sure of this.",
+        "not-sure": "I am not sure of this: {percent} %.",
+        "could-also-be": "I am not sure: {percent} %. It could also be:",
+        "no-simple-rule": "I am not sure: no simple rule explains what I saw. Until you say more "
+        "I only allow this:",
+        "does-not-fit": "I am not sure: what I was shown and told does not fit together.",
+        "told": "You told me so.",
+        "no-rule": "Anything is right.",
         "show-next": "To settle most of it, show this next:",
         "planned": "Planned by {engine} in {seconds} s. Problems: {problems}. "
         "Superfluous deletions dropped: {superfluous}.",
@@ -71,6 +79,13 @@ SENTENCES: Final[Mapping[str, str]] = MappingProxyType(
         "{play}  start again\n"
         "{menu}  choose another exercise\n"
         "{quit}  end the session",
+        "help-session": "{token} 1  moves {token} to column 1 of the goal row\n"
+        "{token}    moves it to the first empty column\n"
+        "{undo}  puts back what lies wrong\n"
+        "{hint}  asks for help\n"
+        "{show}  has this move made\n"
+        "{done}  says that this is all\n"
+        "{quit}  ends the session",
         "help-choosing": "Type the number of an exercise, or {quit} to end the session.",
         "goodbye": "Goodbye.",
         "goal": "goal",

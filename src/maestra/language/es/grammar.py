@@ -9,7 +9,7 @@ from typing import Final
 from maestra.core.tokens import Value
 from maestra.language.phrases import Joint
 from maestra.language.templates import Gender, Spoken
-from maestra.language.tongue import AttributeWords, inflect
+from maestra.language.tongue import AttributeWords, inflect, plain_number
 
 _STEMS: Final = [
     "primer",
@@ -104,7 +104,7 @@ class Spanish:
 
     def numeral(self, number: Value) -> str:
         """With a decimal comma."""
-        return str(number).replace(".", ",")
+        return plain_number(number).replace(".", ",")
 
     def place(self, row: int, column: int) -> Spoken:
         """``la fila 2, columna 3``."""

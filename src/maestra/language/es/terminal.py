@@ -9,6 +9,14 @@ SENTENCES: Final[Mapping[str, str]] = MappingProxyType(
         "learned": "Demostraciones vistas: {demonstrations}. Acciones aprendidas: {actions}.",
         "written": "Guardado en {file}.",
         "still-narrow": "Aún no está claro:",
+        "sure": "Estoy seguro de esto al {percent} %.",
+        "not-sure": "No estoy seguro de esto: {percent} %.",
+        "could-also-be": "No estoy seguro: {percent} %. También podría ser:",
+        "no-simple-rule": "No estoy seguro: ninguna regla sencilla explica lo que vi. Mientras "
+        "no me diga más, solo permito esto:",
+        "does-not-fit": "No estoy seguro: lo que me mostró y lo que me dijo no encajan.",
+        "told": "Usted me lo dijo así.",
+        "no-rule": "Todo vale.",
         "show-next": "Para aclarar lo más posible, muestre ahora esto:",
         "planned": "Planificado por {engine} en {seconds} s. Problemas: {problems}. "
         "Supresiones superfluas descartadas: {superfluous}.",
@@ -72,6 +80,13 @@ SENTENCES: Final[Mapping[str, str]] = MappingProxyType(
         "{play}  empezar de nuevo\n"
         "{menu}  elegir otro ejercicio\n"
         "{quit}  terminar la sesión",
+        "help-session": "{token} 1  mueve {token} a la columna 1 de la fila de destino\n"
+        "{token}    la mueve a la primera columna libre\n"
+        "{undo}  devuelve lo que está fuera de su sitio\n"
+        "{hint}  pide ayuda\n"
+        "{show}  hace que otro haga este movimiento\n"
+        "{done}  dice que esto es todo\n"
+        "{quit}  termina la sesión",
         "help-choosing": "Escriba el número de un ejercicio, o {quit} para terminar la sesión.",
         "goodbye": "Hasta pronto.",
         "goal": "destino",

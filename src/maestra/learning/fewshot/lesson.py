@@ -4,14 +4,36 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from enum import Enum
-from typing import TypeAlias
 
 from maestra.core.demonstration import Demonstration
 from maestra.learning.fewshot.posterior import Truths
 from maestra.learning.fewshot.space import Context, Words
+from maestra.rules.answers import (
+    Answer,
+    MoveQuestion,
+    Question,
+    Reply,
+    RowQuestion,
+    RuleQuestion,
+)
 from maestra.rules.forms.timing import Filling
 from maestra.rules.rule import Rule
-from maestra.rules.setting import Index, Play
+from maestra.rules.setting import Play
+
+__all__ = [
+    "Answer",
+    "Belief",
+    "Class",
+    "Hypothesis",
+    "Lesson",
+    "MoveQuestion",
+    "Question",
+    "Reply",
+    "RowQuestion",
+    "RuleQuestion",
+    "Slip",
+    "Status",
+]
 
 
 class Status(Enum):
@@ -24,48 +46,6 @@ class Status(Enum):
     """No simple rule explains it better than listing it."""
     CONTRADICTORY = "contradictory"
     """No exercise agrees with all that was shown and answered."""
-
-
-class Reply(Enum):
-    """What a caregiver says to a question."""
-
-    YES = "yes"
-    NO = "no"
-    UNSURE = "unsure"
-
-
-@dataclass(frozen=True, slots=True)
-class RowQuestion:
-    """Is this finished play right?"""
-
-    play: Play
-
-
-@dataclass(frozen=True, slots=True)
-class MoveQuestion:
-    """Is it right to place this token on this goal cell here?"""
-
-    position: Play
-    token: Index
-    cell: Index
-
-
-@dataclass(frozen=True, slots=True)
-class RuleQuestion:
-    """Is this rule meant?"""
-
-    rule: Rule
-
-
-Question: TypeAlias = RowQuestion | MoveQuestion | RuleQuestion
-
-
-@dataclass(frozen=True, slots=True)
-class Answer:
-    """A question and what was said to it."""
-
-    question: Question
-    reply: Reply
 
 
 @dataclass(frozen=True, slots=True)

@@ -20,14 +20,14 @@ from maestra.rules.setting import ORIGIN_COLUMN, ORIGIN_ROW, Play, Setting, bits
 from maestra.rules.token_tests import Has, Not
 
 if TYPE_CHECKING:
-    from collections.abc import Iterator
+    from collections.abc import Iterator, Sequence
 
-    from maestra.core.board import Cell
-    from maestra.core.tokens import TokenId
+    from maestra.core.board import Board, Cell
+    from maestra.core.tokens import Deck, TokenId
     from maestra.rules.right_plays import Placements
     from maestra.rules.rule import Rule
     from maestra.rules.setting import Index
-    from maestra.rules.summaries.summary import Summary
+    from maestra.rules.summaries.summary import Step, Summary
 
 MAX_TRIED: Final = 20_000
 """Placements looked at before it is given up: some tenths of a second."""
@@ -45,21 +45,44 @@ def accepted_plays(summary: Summary, max_tried: int = MAX_TRIED) -> RightPlays |
     """
     if not summary.places or len(summary.deck.tokens) > len(summary.board.storage_cells):
         return None
-    search = _Search(summary, max_tried)
+    return plays_keeping(
+        summary.rules, summary.board, summary.deck, summary.lengths, summary.steps, max_tried
+    )
+
+
+def plays_keeping(
+    rules: Sequence[Rule],
+    board: Board,
+    deck: Deck,
+    lengths: frozenset[int],
+    steps: Sequence[Step] = (),
+    max_tried: int = MAX_TRIED,
+) -> RightPlays | None:
+    """All plays of one of `lengths` that keep `rules` and `steps`, with all tokens in storage.
+
+    Of the rules only those that `is_about_sources` may look at where tokens come from. None if
+    there are too many to be listed.
+
+    Raises:
+        InvalidError: the storage rows have no room for all tokens.
+    """
+    search = _Search(tuple(rules), board, deck, lengths, tuple(steps), max_tried)
     try:
         known = tuple(search.sequences())
     except _GivenUpError:
         return None
-    return RightPlays(
-        summary.board, summary.deck, origins=search.origins, lengths=summary.lengths, known=known
-    )
+    return RightPlays(board, deck, origins=search.origins, lengths=lengths, known=known)
 
 
 @dataclass
 class _Search:
-    """Lists what a summary accepts."""
+    """Lists what rules and steps accept."""
 
-    summary: Summary
+    rules: tuple[Rule, ...]
+    board: Board
+    deck: Deck
+    lengths: frozenset[int]
+    steps: tuple[Step, ...]
     left: int
     """How many more placements may be looked at."""
     known_origins: dict[tuple[TokenId, Cell], frozenset[Cell]] = field(
@@ -68,13 +91,13 @@ class _Search:
 
     def __post_init__(self) -> None:
         """Part the rules about sources from the others, which need no certain start."""
-        rules = self.summary.rules
-        self.sources = tuple(rule for rule in rules if _is_about_sources(rule))
+        rules = self.rules
+        self.sources = tuple(rule for rule in rules if is_about_sources(rule))
         self.others = tuple(rule for rule in rules if rule not in self.sources)
         self.fill_order = next((rule for rule in rules if isinstance(rule, FillOrder)), None)
-        ids = [token.id for token in self.summary.deck.tokens]
-        cells = dict(zip(ids, self.summary.board.storage_cells, strict=False))
-        self.setting = Setting(self.summary.deck, State(self.summary.board, cells))
+        ids = [token.id for token in self.deck.tokens]
+        cells = dict(zip(ids, self.board.storage_cells, strict=False))
+        self.setting = Setting(self.deck, State(self.board, cells))
 
     def sequences(self) -> Iterator[Placements]:
         """Every accepted sequence of placements.
@@ -90,16 +113,16 @@ class _Search:
             return None
         key = (placement.token, placement.destination)
         if key not in self.known_origins:
-            storage = self.summary.board.storage_cells
+            storage = self.board.storage_cells
             fitting = (cell for cell in storage if self._may_come_from(cell, placement))
             self.known_origins[key] = frozenset(fitting)
         return self.known_origins[key]
 
     def _from(self, play: Play) -> Iterator[Placements]:
         made = len(play.placed)
-        if made in self.summary.lengths and all(rule.holds(play) for rule in self.others):
+        if made in self.lengths and all(rule.holds(play) for rule in self.others):
             yield self._placements(play)
-        if made < max(self.summary.lengths):
+        if made < max(self.lengths):
             for longer in self._longer(play):
                 yield from self._from(longer)
 
@@ -119,16 +142,16 @@ class _Search:
 
     def _may_come(self, step: int, token: Index, cell: Index) -> bool:
         """Whether the steps allow it, where no rule says what comes when."""
-        shown = self.summary.deck.tokens[token].attributes
-        goal = self.summary.board.goal_cells[cell]
+        shown = self.deck.tokens[token].attributes
+        goal = self.board.goal_cells[cell]
         return all(
             shown in one.shown and one.cell in {None, goal}
-            for one in self.summary.steps
+            for one in self.steps
             if one.step == step
         )
 
     def _placements(self, play: Play) -> Placements:
-        tokens, goals = self.summary.deck.tokens, self.summary.board.goal_cells
+        tokens, goals = self.deck.tokens, self.board.goal_cells
         return tuple(Placement(tokens[token].id, goals[cell]) for token, cell in play.placed)
 
     def _may_come_from(self, cell: Cell, placement: Placement) -> bool:
@@ -138,14 +161,14 @@ class _Search:
         if other is not None:
             cells[other] = cells[placement.token]
         cells[placement.token] = cell
-        setting = Setting(self.summary.deck, State(self.summary.board, cells))
+        setting = Setting(self.deck, State(self.board, cells))
         token = setting.number_of[placement.token]
         play = Play.begin(setting).after(token, placement.destination.column - 1)
         return all(rule.possible(play) for rule in self.sources)
 
 
-def _is_about_sources(rule: Rule) -> bool:
-    """Whether a summary's rule looks at where tokens come from."""
+def is_about_sources(rule: Rule) -> bool:
+    """Whether a rule says for each token apart which cells it may come from."""
     match rule:
         case StraightUp():
             return True

@@ -10,19 +10,17 @@ from maestra.core.tokens import Deck
 from maestra.rules.forms.base import EachSlot, Pairwise
 from maestra.rules.forms.length import FullRow
 from maestra.rules.forms.timing import FillOrder
-from maestra.rules.judging import (
-    AfterTheEnd,
-    Allowed,
-    BrokenPrecondition,
-    DeadEnd,
-    JudgedMove,
-    NotShown,
-    PutBack,
-)
 from maestra.rules.rule import Rule
 from maestra.rules.setting import Play, Setting
 from maestra.rules.strips.actions import Action
 from maestra.rules.summaries.summary import Summary, Unseen
+from maestra.rules.verdicts import (
+    AfterTheEnd,
+    BrokenPrecondition,
+    DeadEnd,
+    GroundedRefusal,
+    NotShown,
+)
 
 
 def broken_rules(summary: Summary, before: State, deck: Deck, move: Move) -> tuple[Rule, ...]:
@@ -61,28 +59,30 @@ def _breaks(rule: Rule, play: Play, token: int, cell: int) -> bool:
             return not rule.possible(play.after(token, cell))
 
 
-def broken_ids(judged: JudgedMove, summary: Summary, deck: Deck) -> tuple[str, ...]:
+def ids_against(
+    verdict: GroundedRefusal, before: State, move: Move, summary: Summary, deck: Deck
+) -> tuple[str, ...]:
     """The ids of the sentences that a refused move goes against: rules, else gaps.
 
     Args:
-        judged: a move with its verdict.
+        verdict: why it was refused.
+        before: what was on the board before it.
+        move: the move.
         summary: of the exercise it was judged by.
         deck: the tokens it was played with.
     """
-    match judged.verdict:
-        case Allowed() | PutBack():
-            return ()
+    match verdict:
         case AfterTheEnd() | DeadEnd():
             return (summary.placing_name,)
         case NotShown(action) | BrokenPrecondition(action):
-            if summary.places and not _is_placing(judged.move, summary.board):
+            if summary.places and not _is_placing(move, summary.board):
                 return (summary.placing_name,)
-            rules = broken_rules(summary, judged.before, deck, judged.move)
+            rules = broken_rules(summary, before, deck, move)
             names = zip(summary.rules, summary.rule_names, strict=True)
             broken = tuple(name for rule, name in names if rule in rules)
             return broken or _gaps(summary, action) or (summary.placing_name,)
         case _:
-            assert_never(judged.verdict)
+            assert_never(verdict)
 
 
 def _gaps(summary: Summary, action: Action) -> tuple[str, ...]:

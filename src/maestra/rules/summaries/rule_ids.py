@@ -7,8 +7,6 @@ from collections import Counter
 from collections.abc import Iterator, Sequence
 from typing import Final, cast
 
-from pydantic import TypeAdapter
-
 from maestra.rules.features import TokenFeature
 from maestra.rules.forms.base import Direction
 from maestra.rules.forms.order import Ordered
@@ -17,11 +15,11 @@ from maestra.rules.forms.selection import EveryToken
 from maestra.rules.forms.sources import StraightUp
 from maestra.rules.forms.timing import FillOrder
 from maestra.rules.rule import Rule
+from maestra.rules.rule_json import rule_adapter
 from maestra.rules.setting import ORIGIN_ROW, Line
 from maestra.rules.token_tests import Has, Not
 
 _NOT_IN_NAMES: Final = re.compile(r"[\W_]+")
-_ADAPTER: Final[TypeAdapter[Rule]] = TypeAdapter(Rule)
 
 
 def rule_ids(rules: Sequence[Rule]) -> tuple[str, ...]:
@@ -62,7 +60,7 @@ def _rule_id(rule: Rule) -> str:
         case StraightUp(mirrored):
             return "mirrored-column" if mirrored else "same-column"
         case _:
-            return _kebab(*_leaves(_ADAPTER.dump_python(rule, mode="json")))
+            return _kebab(*_leaves(rule_adapter().dump_python(rule, mode="json")))
 
 
 def _leaves(written: object) -> Iterator[str]:

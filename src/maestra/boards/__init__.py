@@ -1,0 +1,1 @@
+"""Boards: where tokens lie, simulated or played back."""

@@ -1,0 +1,338 @@
+"""`maestra play`: a patient's session on a terminal, or on what is piped into it.
+
+At a terminal the clock is the real one, so the coach speaks up after a silence. Piped lines come
+a second apart, and `wait 20` lets twenty seconds pass, so that a transcript is the same each time.
+"""
+
+from __future__ import annotations
+
+import queue
+import re
+import sys
+import threading
+import time
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, replace
+from datetime import UTC, datetime
+from pathlib import Path
+from typing import Final
+
+from maestra.app import record_at
+from maestra.boards.simulated import SimulatedBoard
+from maestra.cli.demo_terminal import own_language
+from maestra.cli.demo_words import Command, Unclear, Wish, Word, understand
+from maestra.cli.drawing import label
+from maestra.cli.loading import exercise_in
+from maestra.cli.outputs import Drawn, Said, Tone
+from maestra.cli.screen import Screen
+from maestra.cli.streams import named, read_whole, write_file
+from maestra.coaching.chance import Chance
+from maestra.coaching.difficulty import deal
+from maestra.coaching.events import (
+    Begun,
+    DoneSaid,
+    EndOrdered,
+    Event,
+    HelpAsked,
+    Skipped,
+    TimePassed,
+)
+from maestra.coaching.fields import Milliseconds
+from maestra.coaching.ports import (
+    Entry,
+    EventStore,
+    NewEntry,
+    PatientId,
+    Robot,
+    SessionId,
+    Store,
+    StoredSession,
+)
+from maestra.coaching.recording import Start
+from maestra.coaching.remembered import Remembered, read_remembered, write_remembered
+from maestra.coaching.running import Running
+from maestra.coaching.session import due
+from maestra.coaching.settings import Modality, Profile, Settings, settings_for
+from maestra.core.board import Cell, Column
+from maestra.core.state import State
+from maestra.core.tokens import Deck, TokenId
+from maestra.language import Language
+from maestra.language.terminal import TerminalKey, terminal_sentence
+from maestra.robots.screen import ScreenRobot
+from maestra.robots.speech import SpeechRobot
+from maestra.rules.exercise import Exercise, RuledExercise
+from maestra.rules.exercise_format import encode_exercise
+
+PIPED_MS: Final = 1_000
+"""Between two piped lines."""
+_WAIT: Final = re.compile(r"wait (\d{1,5})")
+
+
+@dataclass(frozen=True, slots=True)
+class Wanted:
+    """What was asked for on the command line."""
+
+    exercise: str
+    patient: str
+    settings: str | None
+    language: str | None
+    seed: int | None
+    record: str | None
+    data: str | None
+    keys: str | None
+    speak: bool
+
+
+class Tee:
+    """An event store that also collects the lines of a session's file."""
+
+    def __init__(self, store: EventStore) -> None:
+        self._store = store
+        self.lines: list[str] = []
+
+    def append(self, entries: Sequence[NewEntry]) -> tuple[Entry, ...]:
+        """Keep them, then remember their lines."""
+        kept = self._store.append(entries)
+        self.lines += [entry.payload for entry in kept if entry.kind != "commands"]
+        return kept
+
+    def entries(self, session: SessionId | None = None) -> Iterator[Entry]:
+        """What has been kept."""
+        return self._store.entries(session)
+
+
+def play(wanted: Wanted) -> bool:
+    """Play one session, and keep it; whether it was completed.
+
+    Raises:
+        FormatError: a file holds something else.
+        InvalidError: the exercise cannot be played on its board.
+        OSError: a file cannot be read, or the session cannot be kept.
+    """
+    exercise = exercise_in(wanted.exercise)
+    store = record_at(wanted.data, wanted.keys)
+    try:
+        return _Session(wanted, exercise, store).play()
+    finally:
+        store.close()
+
+
+class _Session:
+    """One session at the terminal."""
+
+    def __init__(self, wanted: Wanted, exercise: Exercise, store: Store) -> None:
+        self._wanted, self._store = wanted, store
+        self._patient = PatientId(wanted.patient)
+        known = self._known()
+        settings = known.settings
+        seed = time.time_ns() % 2**64 if wanted.seed is None else wanted.seed
+        deck, state = _laid_out(exercise, settings, Chance(seed))
+        self._start = Start(
+            exercise, deck, state, settings, seed, known.best_policy, wanted.patient
+        )
+        self._board = SimulatedBoard(state)
+        goal = terminal_sentence(TerminalKey.GOAL, settings.language)
+        self._screen = Screen(goal)
+        self._record = Tee(store.events)
+        self._identity = SessionId(f"{wanted.patient}-{seed:016x}-{time.time_ns():x}")
+        self._stored = StoredSession(
+            self._identity,
+            self._patient,
+            Path(wanted.exercise).stem or "exercise",
+            self._save_exercise(exercise),
+            write_remembered(known),
+            _utc(),
+        )
+        store.save_session(self._stored)
+        self._running = Running(
+            self._identity, self._start, self._board, self._robots(), self._record, _utc()
+        )
+
+    def play(self) -> bool:
+        """Lead the session to its end or the end of what is typed."""
+        lines = _at_terminal if sys.stdin.isatty() else _piped
+        self._running.feed(Begun(), Milliseconds(0), _utc())
+        self._draw()
+        for line, now in lines(self._screen, self._running):
+            moved = self._answer(line, Milliseconds(now))
+            if moved and not self._running.has_ended:
+                self._draw()
+            if self._running.has_ended:
+                break
+        if not self._running.has_ended:
+            self._running.feed(EndOrdered(), self._running.session.now, _utc())
+        return self._finish()
+
+    def _answer(self, line: str | None, now: Milliseconds) -> bool:
+        """Do what was typed; whether the board may look different."""
+        if line is None:
+            return bool(self._running.poll(now, _utc()))
+        if _WAIT.fullmatch(line.strip()) is not None:
+            self._running.feed(TimePassed(), now, _utc())
+            return False
+        event = self._meant(line)
+        if event is not None:
+            self._running.feed(event, now, _utc())
+        told = self._board.events()
+        for each in told:
+            self._running.feed(each, now, _utc())
+        return bool(told)
+
+    def _meant(self, line: str) -> Event | None:
+        """The event that a line stands for; moves are made on the board, which tells of them."""
+        language = self._start.settings.language
+        match understand(line, language):
+            case Command(Word.HINT):
+                return HelpAsked()
+            case Command(Word.DONE):
+                return DoneSaid()
+            case Command(Word.SHOW):
+                return Skipped()
+            case Command(Word.QUIT):
+                return EndOrdered()
+            case Command(Word.UNDO):
+                self._put_back()
+            case Wish(token, column):
+                self._move(token, column)
+            case Command() | Unclear():
+                self._help()
+        return None
+
+    def _move(self, typed: str, column: int | None) -> None:
+        board = self._start.state.board
+        token = _token(self._start.deck, typed)
+        taken = set(self._board.cells.values())
+        free = [cell for cell in board.goal_cells if cell not in taken]
+        if token is None:
+            self._say(TerminalKey.UNKNOWN_TOKEN, token=typed)
+        elif column is None and not free:
+            self._say(TerminalKey.ROW_IS_FULL)
+        elif column is not None and not 1 <= column <= board.columns:
+            self._say(TerminalKey.NO_SUCH_COLUMN, last=board.columns)
+        else:
+            cell = free[0] if column is None else Cell(board.goal_row, Column(column))
+            if cell in taken and self._board.cells[token] != cell:
+                self._say(TerminalKey.TAKEN, column=cell.column)
+            else:
+                self._board.move(token, cell)
+
+    def _put_back(self) -> None:
+        """Put back everything that lies wrong."""
+        session = self._running.session
+        for token in session.table.astray(session.position.now):
+            self._board.move(token, session.position.now.cells[token])
+
+    def _help(self) -> None:
+        language = self._start.settings.language
+        words = {
+            "token": label(self._start.deck.tokens[0]),
+            "hint": terminal_sentence(TerminalKey.TYPE_HINT, language),
+            "undo": terminal_sentence(TerminalKey.TYPE_UNDO, language),
+            "done": terminal_sentence(TerminalKey.TYPE_DONE, language),
+            "show": terminal_sentence(TerminalKey.TYPE_SHOW, language),
+            "quit": terminal_sentence(TerminalKey.TYPE_QUIT, language),
+        }
+        self._say(TerminalKey.HELP_SESSION, **words)
+
+    def _say(self, key: TerminalKey, **parts: object) -> None:
+        text = terminal_sentence(key, self._start.settings.language, **parts)
+        self._screen.show((Said(text, Tone.ASIDE),))
+
+    def _draw(self) -> None:
+        state = State(self._start.state.board, self._board.cells)
+        self._screen.show((Drawn(state, self._start.deck),))
+
+    def _robots(self) -> list[Robot]:
+        settings = self._start.settings
+        robots: list[Robot] = [
+            ScreenRobot(lambda text: self._screen.show((Said(text),)), self._board.move)
+        ]
+        if self._wanted.speak and Modality.SPEECH in settings.modalities:
+            robots.append(SpeechRobot(settings))
+        return robots
+
+    def _known(self) -> Remembered:
+        """The settings that were named, else the patient's own, else the defaults."""
+        wanted = self._wanted
+        try:
+            kept = self._store.settings(self._patient).encode()
+            known = read_remembered(kept, f"settings of {wanted.patient}")
+        except KeyError:
+            known = Remembered(settings_for(Profile(), own_language()))
+        if wanted.settings is not None:
+            named_ones = read_remembered(read_whole(wanted.settings), named(wanted.settings))
+            known = Remembered(named_ones.settings, named_ones.policy or known.policy)
+        if wanted.language is not None:
+            settings = replace(known.settings, language=Language(wanted.language))
+            known = replace(known, settings=settings)
+        return known
+
+    def _save_exercise(self, exercise: Exercise) -> int:
+        name = Path(self._wanted.exercise).stem or "exercise"
+        return self._store.save_exercise(name, encode_exercise(exercise))
+
+    def _finish(self) -> bool:
+        """Keep what was learned of the patient, and the session's file."""
+        session = self._running.session
+        after = Remembered(self._start.settings, session.policy)
+        self._store.save_settings(self._patient, write_remembered(after))
+        self._store.save_session(replace(self._stored, ended_utc=_utc()))
+        if self._wanted.record is not None:
+            write_file(self._wanted.record, "".join(f"{one}\n" for one in self._record.lines))
+        return session.ending is not None and session.ending.value == "complete"
+
+
+def _laid_out(exercise: Exercise, settings: Settings, chance: Chance) -> tuple[Deck, State]:
+    """Tokens of the wanted difficulty where the rules fit others, in any arrangement."""
+    deck = exercise.deck
+    if isinstance(exercise, RuledExercise):
+        deck, chance = deal(deck, settings.difficulty, chance)
+    cells, _ = chance.shuffled(exercise.board.storage_cells)
+    ids = [token.id for token in deck.tokens]
+    return deck, State(exercise.board, dict(zip(ids, cells, strict=False)))
+
+
+def _token(deck: Deck, typed: str) -> TokenId | None:
+    """The token that is labelled or named as it was typed."""
+    for token in deck.tokens:
+        if typed in {label(token).casefold(), token.id.casefold()}:
+            return token.id
+    return None
+
+
+def _piped(screen: Screen, _running: Running) -> Iterator[tuple[str | None, int]]:
+    """Each line with its time: a second later than the one before, or as long as is waited."""
+    now = 0
+    for line in screen.lines():
+        waited = _WAIT.fullmatch(line.strip())
+        now += 1_000 * int(waited[1]) if waited else PIPED_MS
+        yield line, now
+
+
+def _at_terminal(screen: Screen, running: Running) -> Iterator[tuple[str | None, int]]:
+    """Each line as it is typed; None whenever something is due."""
+    typed: queue.Queue[str | None] = queue.Queue()
+
+    def read() -> None:
+        for line in screen.lines():
+            typed.put(line)
+        typed.put(None)
+
+    threading.Thread(target=read, daemon=True).start()
+    begun = time.monotonic()
+    while True:
+        now = round(1_000 * (time.monotonic() - begun))
+        at = due(running.session)
+        patience = None if at is None else max(at - now, 0) / 1_000
+        try:
+            line = typed.get(timeout=patience)
+        except queue.Empty:
+            yield None, round(1_000 * (time.monotonic() - begun))
+            continue
+        if line is None:
+            return
+        yield line, round(1_000 * (time.monotonic() - begun))
+
+
+def _utc() -> str:
+    return datetime.now(UTC).isoformat(timespec="milliseconds")

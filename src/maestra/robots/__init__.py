@@ -1,0 +1,1 @@
+"""Robots: who speaks, shows, points and moves tokens."""

@@ -1,0 +1,1 @@
+"""The record for other programs: tables, BIDS, XES. Pseudonyms only, and nobody who was erased."""

@@ -1,0 +1,1 @@
+"""The versions of the tables, each following from the one before."""

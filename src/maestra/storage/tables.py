@@ -1,0 +1,87 @@
+"""The tables, as they are after all migrations.
+
+Whatever belongs to a patient is sealed with that patient's key before it comes here (`vault`):
+a tag stands for each pseudonym, session and key, a random number for each person.
+"""
+
+from typing import Final
+
+from sqlalchemy import (
+    BigInteger,
+    Column,
+    Index,
+    Integer,
+    LargeBinary,
+    MetaData,
+    String,
+    Table,
+    Text,
+)
+
+METADATA: Final = MetaData()
+
+STORE: Final = Table(
+    "store",
+    METADATA,
+    Column("id", String(32), primary_key=True),
+)
+"""One row: which store this is, and so which keys open it."""
+
+EVENTS: Final = Table(
+    "events",
+    METADATA,
+    Column("sequence", BigInteger, primary_key=True, autoincrement=False),
+    Column("session_tag", String(32), nullable=False),
+    Column("key_tag", String(32), nullable=False, unique=True),
+    Column("subject", String(32)),
+    Column("at_ms", BigInteger, nullable=False),
+    Column("utc", String(40), nullable=False),
+    Column("sealed", LargeBinary, nullable=False),
+    Column("digest", LargeBinary, nullable=False),
+    Index("events_by_session", "session_tag", "sequence"),
+)
+"""Append-only, by triggers too. `sealed` holds session, key, kind and payload."""
+
+EXERCISES: Final = Table(
+    "exercises",
+    METADATA,
+    Column("name", String(200), primary_key=True),
+    Column("version", Integer, primary_key=True, autoincrement=False),
+    Column("exercise", Text, nullable=False),
+    Column("demonstrations", Text, nullable=False),
+)
+
+PATIENTS: Final = Table(
+    "patients",
+    METADATA,
+    Column("subject", String(32), primary_key=True),
+    Column("tag", String(32), nullable=False, unique=True),
+    Column("sealed", LargeBinary, nullable=False),
+)
+"""`sealed` holds the pseudonym."""
+
+NAMES: Final = Table(
+    "names",
+    METADATA,
+    Column("subject", String(32), primary_key=True),
+    Column("sealed", LargeBinary, nullable=False),
+)
+"""Who a pseudonym is; only for those who were given a name."""
+
+SETTINGS: Final = Table(
+    "settings",
+    METADATA,
+    Column("subject", String(32), primary_key=True),
+    Column("sealed", LargeBinary, nullable=False),
+)
+
+SESSIONS: Final = Table(
+    "sessions",
+    METADATA,
+    Column("tag", String(32), primary_key=True),
+    Column("subject", String(32)),
+    Column("sealed", LargeBinary, nullable=False),
+)
+
+OF_A_PATIENT: Final = (PATIENTS, NAMES, SETTINGS, SESSIONS)
+"""What erasing a patient empties of them; events keep their rows, which nobody can read then."""
