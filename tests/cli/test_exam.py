@@ -14,7 +14,7 @@ import pytest
 from maestra.cli import examining
 from maestra.core.demonstration import Demonstration
 from maestra.learning.fewshot.learner import learn
-from maestra.learning.fewshot.lesson import Lesson, Status
+from maestra.learning.fewshot.lesson import Lesson
 from maestra.learning.taught import taught_exercise
 from maestra.rules.answers import Answer, Reply
 from maestra.rules.exercise import LearnStatus, RuledExercise
@@ -39,7 +39,9 @@ def written(folder: Path, exercise: RuledExercise) -> Path:
 
 
 def taught(folder: Path) -> Path:
-    return written(folder, taught_exercise(Scripted((Status.LEARNED, ())).learn([small("abe")])))
+    return written(
+        folder, taught_exercise(Scripted((LearnStatus.LEARNED, ())).learn([small("abe")]))
+    )
 
 
 def ascending(line: dict[str, Any]) -> str:
@@ -114,7 +116,7 @@ def test_what_is_judged_otherwise_goes_back_to_learning(tmp_path: Path) -> None:
 
 def to(rules: tuple[Rule, ...]) -> Callable[..., object]:
     def learn_these(shown: Sequence[Demonstration], answers: Sequence[Answer]) -> Lesson:
-        lesson = Scripted((Status.AMBIGUOUS, ())).learn(shown, answers)
+        lesson = Scripted((LearnStatus.AMBIGUOUS, ())).learn(shown, answers)
         return replace(lesson, rules=rules, confidences=(1.0,) * len(rules))
 
     return learn_these

@@ -14,7 +14,7 @@ import pytest
 from maestra.core.formats import decode_demonstration, encode_demonstration
 from maestra.learning import dialogue
 from maestra.learning.dialogue import MAX_QUESTIONS
-from maestra.learning.fewshot.lesson import Lesson, Status
+from maestra.learning.fewshot.lesson import Lesson
 from maestra.rules.answers import MoveQuestion, Question, Reply, RowQuestion, RuleQuestion
 from maestra.rules.exercise import LearnStatus, RuledExercise
 from maestra.rules.exercise_format import decode_exercise, encode_exercise
@@ -40,12 +40,12 @@ SCENES: dict[str, tuple[list[str], list[Scene], str]] = {
     "contradicted": (["abe", "cde"], [AMBIGUOUS, AMBIGUOUS, LEARNED], "n\n3\n1\nu\n"),
     "mistaken": (
         ["abc", "cba", "bac"],
-        [(Status.LEARNED, (slip(1),)), (Status.LEARNED, (slip(1),)), LEARNED],
+        [(LearnStatus.LEARNED, (slip(1),)), (LearnStatus.LEARNED, (slip(1),)), LEARNED],
         "again\n\n9 4\n1 2 5\nn\n",
     ),
     "unsettled": (["abe"], [AMBIGUOUS], "n\nenough\n"),
     "outside": (["abe"], [OUTSIDE], ""),
-    "nothing": (["cba"], [(Status.LEARNED, (slip(0),))], "no\n"),
+    "nothing": (["cba"], [(LearnStatus.LEARNED, (slip(0),))], "no\n"),
 }
 
 
@@ -97,7 +97,7 @@ def test_what_was_taught_is_kept_with_what_it_rests_on(script: Install, tmp_path
 
 
 def test_nothing_is_written_where_nothing_is_left(script: Install, tmp_path: Path) -> None:
-    script((Status.LEARNED, (slip(0),)))
+    script((LearnStatus.LEARNED, (slip(0),)))
     path = demonstrations(tmp_path, ["cba"])
     ran = maestra("teach", path, "-o", tmp_path / "x.json", typed=b"no\n")
     assert ran.code == 1
@@ -312,9 +312,9 @@ TYPED = [
     (b"n\nneither\n", AMBIGUOUS, ["abe", "cde"], (Reply.UNSURE,)),
     (b"n\n2\n", AMBIGUOUS, ["abe", "cde"], (Reply.NO,)),
     (b"no\nu\n", OUTSIDE, ["abc"], (Reply.NO,)),
-    (b"y\n", (Status.LEARNED, (slip(0),)), ["cba"], ()),
-    (b"again\n", (Status.LEARNED, (slip(0),)), ["cba"], ()),
-    (b"again\n1 2 3 5\n1, 2, 5\n", (Status.LEARNED, (slip(0),)), ["cba"], ()),
+    (b"y\n", (LearnStatus.LEARNED, (slip(0),)), ["cba"], ()),
+    (b"again\n", (LearnStatus.LEARNED, (slip(0),)), ["cba"], ()),
+    (b"again\n1 2 3 5\n1, 2, 5\n", (LearnStatus.LEARNED, (slip(0),)), ["cba"], ()),
     (b"", AMBIGUOUS, ["abc"], ()),
 ]
 
@@ -380,7 +380,7 @@ def test_a_program_points_at_the_wrong_cell(script: Install, tmp_path: Path) -> 
 def test_a_program_is_asked_about_a_likely_mistake(
     script: Install, tmp_path: Path, answer: dict[str, Any], left: tuple[str, ...]
 ) -> None:
-    script((Status.LEARNED, (slip(1, 2),)), LEARNED)
+    script((LearnStatus.LEARNED, (slip(1, 2),)), LEARNED)
     if answer["answer"] == "again":
         answer = {**answer, "demonstration": json.loads(encode_demonstration(small("abd")))}
     ran = teach(tmp_path, ["abc", "cba"], [{"id": 1, **answer}], *FULL)
@@ -392,7 +392,7 @@ def test_a_program_is_asked_about_a_likely_mistake(
 
 
 def test_what_else_may_be_wrong_is_in_the_last_line(script: Install, tmp_path: Path) -> None:
-    script((Status.LEARNED, (slip(1, 2),)))
+    script((LearnStatus.LEARNED, (slip(1, 2),)))
     last = lines_of(teach(tmp_path, ["abc", "cba"], []))[-1]
     text = "In the second demonstration, was 2 meant to come before 1?"
     assert last["slips"] == [{"demonstration": 2, "move": 3, "text": text}]
@@ -472,7 +472,7 @@ def test_a_cell_that_is_not_there_is_refused(
 def test_a_demonstration_that_is_none_is_refused(
     script: Install, tmp_path: Path, shown: object, fault: str
 ) -> None:
-    script((Status.LEARNED, (slip(0),)))
+    script((LearnStatus.LEARNED, (slip(0),)))
     answer: dict[str, object] = {"id": 1, "answer": "again"}
     if shown == "another board":
         line = (EXAMPLES / "curie.jsonl").read_bytes().splitlines()[0]

@@ -21,7 +21,7 @@ from maestra.experiments.random_exercises import (
     sample_of,
     start_of,
 )
-from maestra.learning.fewshot.lesson import MoveQuestion, Reply, RowQuestion, RuleQuestion
+from maestra.rules.answers import MoveQuestion, Reply, RowQuestion, RuleQuestion
 from maestra.rules.rule import holds
 from maestra.rules.setting import Play, Setting, play_of
 

@@ -11,8 +11,9 @@ import pytest
 from maestra.core.demonstration import Demonstration
 from maestra.learning import dialogue
 from maestra.learning.fewshot.learner import learn
-from maestra.learning.fewshot.lesson import Hypothesis, Lesson, Slip, Status
+from maestra.learning.fewshot.lesson import Hypothesis, Lesson, Slip
 from maestra.rules.answers import Answer, Question, RowQuestion
+from maestra.rules.exercise import LearnStatus
 from maestra.rules.forms.base import Direction
 from maestra.rules.forms.length import FullRow
 from maestra.rules.forms.order import Ordered
@@ -22,12 +23,12 @@ from tests.learning.caregivers import small
 RISING: Final = Ordered("value", Direction.RISING, strict=True)
 NOT_FALLING: Final = Ordered("value", Direction.RISING, strict=False)
 
-Scene: TypeAlias = tuple[Status, tuple[Slip, ...]]
+Scene: TypeAlias = tuple[LearnStatus, tuple[Slip, ...]]
 Install: TypeAlias = Callable[..., "Scripted"]
 
-AMBIGUOUS: Final[Scene] = (Status.AMBIGUOUS, ())
-LEARNED: Final[Scene] = (Status.LEARNED, ())
-OUTSIDE: Final[Scene] = (Status.OUTSIDE, ())
+AMBIGUOUS: Final[Scene] = (LearnStatus.AMBIGUOUS, ())
+LEARNED: Final[Scene] = (LearnStatus.LEARNED, ())
+OUTSIDE: Final[Scene] = (LearnStatus.OUTSIDE, ())
 
 
 def slip(demonstration: int, move: int = 1) -> Slip:
@@ -54,7 +55,7 @@ class Scripted:
         """The next lesson; its rules are the ascending ones."""
         self.shown.append(tuple("".join(m.token for m in one.moves) for one in shown))
         status, slips = self.scenes.pop(0) if len(self.scenes) > 1 else self.scenes[0]
-        sure = 0.98 if status is Status.LEARNED else 0.6
+        sure = 0.98 if status is LearnStatus.LEARNED else 0.6
         return replace(
             learn(shown, (), seed),
             status=status,

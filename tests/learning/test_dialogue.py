@@ -38,7 +38,7 @@ from maestra.learning.dialogue import (
     begin,
     step,
 )
-from maestra.learning.fewshot.lesson import Lesson, Status
+from maestra.learning.fewshot.lesson import Lesson
 from maestra.learning.fewshot.questions import QuestionKind
 from maestra.rules.answers import Answer, Reply
 from maestra.rules.exercise import LearnStatus
@@ -237,7 +237,7 @@ def test_without_budget_a_contradiction_is_left_and_named(script: Install) -> No
 
 
 def test_a_likely_mistake_is_asked_about_once(script: Install) -> None:
-    script((Status.LEARNED, (slip(1),)))
+    script((LearnStatus.LEARNED, (slip(1),)))
     taught = begin([small("abc"), small("bac")])
     assert taught.ask == AskSlip(slip(1))
     taught = step(taught, SlipReplied(SlipReply.CONFIRMED))
@@ -247,7 +247,7 @@ def test_a_likely_mistake_is_asked_about_once(script: Install) -> None:
 
 
 def test_a_demonstration_that_is_taken_back_does_not_count(script: Install) -> None:
-    learner = script((Status.LEARNED, (slip(0),)), (Status.LEARNED, (slip(0),)), LEARNED)
+    learner = script((LearnStatus.LEARNED, (slip(0),)), (LearnStatus.LEARNED, (slip(0),)), LEARNED)
     shown = [small("bac"), small("cab"), small("abc")]
     taught = begin(shown)
     taught = step(taught, SlipReplied(SlipReply.TAKEN_BACK))
@@ -261,13 +261,13 @@ def test_a_demonstration_that_is_taken_back_does_not_count(script: Install) -> N
 
 
 def test_who_takes_everything_back_is_left_with_nothing(script: Install) -> None:
-    script((Status.LEARNED, (slip(0),)))
+    script((LearnStatus.LEARNED, (slip(0),)))
     taught = talk(begin([small("abc")]), SlipReplied(SlipReply.TAKEN_BACK))
     assert taught.ask == Finished(Ending.NOTHING_LEFT, ())
 
 
 def test_who_knows_only_questions_is_not_asked_about_mistakes(script: Install) -> None:
-    script((Status.LEARNED, (slip(0),)))
+    script((LearnStatus.LEARNED, (slip(0),)))
     taught = begin([small("abc")], terms=Terms(follow_ups=False))
     assert taught.ask == Finished(Ending.SURE, ())
 

@@ -5,16 +5,10 @@ import pytest
 from maestra.core.board import Board
 from maestra.core.tokens import Deck, Token, TokenId
 from maestra.learning.fewshot.learner import elsewhere, learn
-from maestra.learning.fewshot.lesson import (
-    Answer,
-    MoveQuestion,
-    Reply,
-    RowQuestion,
-    RuleQuestion,
-    Status,
-)
 from maestra.learning.fewshot.prior import rule_bits
 from maestra.learning.fewshot.slips import wrong_move
+from maestra.rules.answers import Answer, MoveQuestion, Reply, RowQuestion, RuleQuestion
+from maestra.rules.exercise import LearnStatus
 from maestra.rules.forms.base import Direction
 from maestra.rules.forms.length import FullRow
 from maestra.rules.forms.order import Ordered
@@ -41,26 +35,26 @@ def test_rising_numbers_are_learned_from_three_plays() -> None:
 def test_odd_and_rising_is_learned_from_two_starts() -> None:
     lesson = learn([shown(ODD_ROW), shown(ODD_ROW, 4), shown(ODD_ROW, 7)])
     assert set(lesson.rules) >= {RISING, EveryToken(has("odd", "value"))}
-    assert lesson.status is Status.LEARNED
+    assert lesson.status is LearnStatus.LEARNED
     assert len(lesson.confidences) == len(lesson.rules)
 
 
 def test_one_play_leaves_it_ambiguous() -> None:
     lesson = learn([shown((0, 2, 5, 7, 8))])
-    assert lesson.status is Status.AMBIGUOUS
+    assert lesson.status is LearnStatus.AMBIGUOUS
     assert lesson.alternatives
 
 
 def test_any_rows_are_outside() -> None:
     lesson = learn([shown((3, 0, 9, 2, 7)), shown((5, 8, 1, 6, 2), 3)])
-    assert lesson.status is Status.OUTSIDE
+    assert lesson.status is LearnStatus.OUTSIDE
 
 
 def test_the_same_layout_counts_once() -> None:
     once = learn([shown((0, 2, 5, 7, 8))])
     twice = learn([shown((0, 2, 5, 7, 8))] * 2)
     assert twice.belief.classes[0].bits < once.belief.classes[0].bits + 6
-    assert twice.status is not Status.LEARNED
+    assert twice.status is not LearnStatus.LEARNED
 
 
 def test_every_demonstration_is_right_by_the_rules_learned() -> None:
@@ -137,7 +131,7 @@ def test_contradicting_answers_are_not_resolved_silently() -> None:
     shown_ = [shown((0, 2, 5, 7, 8)), shown((1, 3, 4, 6, 9), 2)]
     row = RowQuestion(play_of(shown((1, 2, 3, 4, 5))))
     lesson = learn(shown_, [Answer(row, Reply.YES), Answer(row, Reply.NO)])
-    assert lesson.status is Status.CONTRADICTORY
+    assert lesson.status is LearnStatus.CONTRADICTORY
 
 
 def test_nothing_shown_is_refused() -> None:

@@ -12,14 +12,6 @@ from maestra.core.state import State
 from maestra.core.tokens import Deck, Token, TokenId
 from maestra.learning.fewshot.hypotheses import as_number, surviving
 from maestra.learning.fewshot.learner import learn
-from maestra.learning.fewshot.lesson import (
-    Answer,
-    MoveQuestion,
-    Reply,
-    RowQuestion,
-    RuleQuestion,
-    Status,
-)
 from maestra.learning.fewshot.prior import kind_of, surcharge
 from maestra.learning.fewshot.questions import (
     QuestionKind,
@@ -39,6 +31,8 @@ from maestra.learning.fewshot.space import (
     unpack,
 )
 from maestra.learning.fewshot.token_tests import MAX_EITHER, round_between, selecting, simple
+from maestra.rules.answers import Answer, MoveQuestion, Reply, RowQuestion, RuleQuestion
+from maestra.rules.exercise import LearnStatus
 from maestra.rules.forms.order import Ordered
 from maestra.rules.forms.patterns import Pattern
 from maestra.rules.forms.selection import EveryToken
@@ -270,7 +264,7 @@ def test_rows_with_gaps_are_asked_about() -> None:
 def test_where_nothing_can_differ_nothing_is_learned() -> None:
     deck = Deck((Token(TokenId("a"), ()),))
     lesson = learn([shown((0,), deck=deck, board=Board(2, 1))])
-    assert lesson.status is Status.OUTSIDE
+    assert lesson.status is LearnStatus.OUTSIDE
     assert next_question(lesson) is None
 
 

@@ -171,7 +171,7 @@ class Maker:
         way = self.rng.choice(("only", "only", "ordered", "ordered", "all", "all"))
         if way == "all":
             test = self.simple()
-            there = self.rng.choice(((), (self.ordered(),)))
+            there = (self.ordered(),) if self.rng.random() < 1 / 2 else ()
             return (EveryToken(test), AllOfThem(test), *there)
         chosen = EveryToken(self.selecting())
         return (chosen,) if way == "only" else (chosen, self.ordered())
@@ -268,7 +268,9 @@ class Maker:
             from_row(rng.randrange(1, rows + 1)),
             StraightUp(),
             StraightUp(mirrored=True),
-            Pattern((has(f"is-{first}", ORIGIN_ROW), has(f"is-{second}", ORIGIN_ROW)), repeat=True),
+            Pattern(
+                (has(f"is-{first}", ORIGIN_ROW), has(f"is-{second}", ORIGIN_ROW)), repeat=True
+            ),
             TakeExtreme(ORIGIN_COLUMN, Extreme.LOWEST),
             Ordered(ORIGIN_COLUMN, Direction.RISING, strict=False),
             EachPair(Pairs.ALL, different(ORIGIN_COLUMN)),

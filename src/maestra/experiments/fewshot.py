@@ -27,18 +27,11 @@ from maestra.experiments.random_exercises import (
     truths,
 )
 from maestra.learning.fewshot.learner import learn
-from maestra.learning.fewshot.lesson import (
-    Answer,
-    Lesson,
-    MoveQuestion,
-    Question,
-    Reply,
-    RowQuestion,
-    RuleQuestion,
-    Status,
-)
+from maestra.learning.fewshot.lesson import Lesson
 from maestra.learning.fewshot.questions import next_question
 from maestra.learning.fewshot.space import Context, Order, rows_of
+from maestra.rules.answers import Answer, MoveQuestion, Question, Reply, RowQuestion, RuleQuestion
+from maestra.rules.exercise import LearnStatus
 from maestra.rules.looks import lines_of
 from maestra.rules.plays import NOBODY, Tokens, Truth
 from maestra.rules.rule import Rule, holding
@@ -332,4 +325,4 @@ def new_deck(sample: Sample) -> Deck:
 
 def learned_wrongly(outcome: Outcome) -> bool:
     """Whether it said "learned" and was not exact."""
-    return outcome.status == Status.LEARNED.value and not outcome.exact
+    return outcome.status == LearnStatus.LEARNED.value and not outcome.exact

@@ -12,7 +12,7 @@ from typing import Final, TypeAlias
 from joblib import Parallel, delayed
 
 from maestra.experiments.fewshot import Outcome, learned_wrongly, trial
-from maestra.learning.fewshot.lesson import Status
+from maestra.rules.exercise import LearnStatus
 
 Z_95: Final = 1.959964
 """Standard deviations on either side that hold 95 % of a normal distribution."""
@@ -96,13 +96,13 @@ def sweep(
 
 
 def _row(count: int, asked: int, outcomes: Sequence[Outcome]) -> SweepRow:
-    learned = [one for one in outcomes if one.status == Status.LEARNED.value]
+    learned = [one for one in outcomes if one.status == LearnStatus.LEARNED.value]
     return SweepRow(
         count,
         asked,
         Share.of_all(one.exact for one in outcomes),
         Share.of_all(one.exact_on_new_decks for one in outcomes),
-        Share.of_all(one.status == Status.LEARNED.value for one in outcomes),
+        Share.of_all(one.status == LearnStatus.LEARNED.value for one in outcomes),
         Share.of_all(one.exact for one in learned),
         Share.of_all(learned_wrongly(one) for one in outcomes),
     )

@@ -25,7 +25,7 @@ from maestra.learning.contradictions import (
     overruled,
 )
 from maestra.learning.fewshot.learner import learn
-from maestra.learning.fewshot.lesson import Lesson, Slip, Status
+from maestra.learning.fewshot.lesson import Lesson, Slip
 from maestra.learning.fewshot.questions import ALL_KINDS, QuestionKind, next_question
 from maestra.rules.answers import Answer, Question, Reply, RowQuestion
 from maestra.rules.exercise import LearnStatus
@@ -285,7 +285,7 @@ def _answered(dialogue: Dialogue, answer: Answer) -> Dialogue:
     answers = (*dialogue.answers, answer)
     after = _relearned(replace(dialogue, answers=answers, asked=dialogue.asked + 1))
     refused_row = isinstance(answer.question, RowQuestion) and answer.reply is Reply.NO
-    if refused_row and after.terms.follow_ups and after.lesson.status is not Status.LEARNED:
+    if refused_row and after.terms.follow_ups and after.lesson.status is not LearnStatus.LEARNED:
         number = len(answers) - 1
         if all(one.later != Said(number) for one in after.contradictions):
             return replace(after, ask=AskCell(number))
@@ -358,7 +358,7 @@ def _found(dialogue: Dialogue) -> tuple[Contradiction, ...]:
     """What cannot both be; rules that are only a guess overrule nobody."""
     shown = {k: play_of(dialogue.demonstrations[k]) for k in dialogue.counting}
     clashing = clashes(shown, dialogue.answers)
-    if dialogue.lesson.status is Status.OUTSIDE:
+    if dialogue.lesson.status is LearnStatus.OUTSIDE:
         return clashing
     known = {one.later for one in clashing}
     plays, rules = tuple(shown.values()), dialogue.lesson.rules
@@ -380,7 +380,7 @@ def _ask_on(dialogue: Dialogue) -> Dialogue:
     if slip is not None and terms.follow_ups:
         put = replace(put, slips=put.slips | {slip.demonstration})
         return replace(dialogue, ask=AskSlip(slip), put=put)
-    if dialogue.lesson.status is Status.LEARNED:
+    if dialogue.lesson.status is LearnStatus.LEARNED:
         return _finished(dialogue, Ending.SURE)
     if not may_ask:
         return _finished(dialogue, Ending.ASKED_ENOUGH)

@@ -2,15 +2,16 @@
 
 from __future__ import annotations
 
+from collections.abc import Hashable, Sequence
 from dataclasses import dataclass, field
 from fractions import Fraction
-from typing import Annotated, Literal, TypeAlias, assert_never
+from typing import Annotated, Literal, TypeAlias, TypeVar, assert_never
 
 from pydantic import Field
 
-from maestra.core.tokens import NAME, Value
+from maestra.core.tokens import NAME
 from maestra.rules.fields import Flag, Name, Number, Strict
-from maestra.rules.setting import Index, Mask, Rank, Setting
+from maestra.rules.setting import Mask, Rank, Setting
 from maestra.rules.token_tests import Comparison
 
 
@@ -81,6 +82,9 @@ Related: TypeAlias = tuple[Mask, ...]
 """For each token as the first, the tokens that stand in the relation as the second."""
 
 
+_Key = TypeVar("_Key", bound=Hashable)
+
+
 def same(attribute: str) -> Compare:
     """Both show the same."""
     return Compare(attribute, Comparison.EQUAL)
@@ -107,58 +111,74 @@ def converse(setting: Setting, masks: Related) -> Related:
 
 
 def _related(setting: Setting, relation: Relation) -> Related:
-    return setting.masks(lambda a, b: _holds(setting, relation, a, b))
-
-
-def _holds(setting: Setting, relation: Relation, first: Index, second: Index) -> bool:
     match relation:
+        case Compare(attribute, Comparison.EQUAL | Comparison.DIFFERENT, other):
+            alike = _by_key(setting.values(other or attribute))
+            known = sum(alike.values())
+            equal = relation.comparison is Comparison.EQUAL
+            return tuple(
+                0 if one is None else alike.get(one, 0) if equal else known & ~alike.get(one, 0)
+                for one in setting.values(attribute)
+            )
         case Compare(attribute, comparison, other):
-            one = setting.values(attribute)[first]
-            two = setting.values(other or attribute)[second]
-            return _compares(setting, relation, comparison, one, two)
+            ones, twos = setting.ranks(attribute), setting.ranks(other or attribute)
+            ranked: dict[Rank, Mask] = _by_key(twos)
+            return tuple(
+                sum(mask for two, mask in ranked.items() if _compares(comparison, one, two))
+                for one in ones
+            )
         case Named(name, directed):
             pairs = setting.deck.relations.get(name, frozenset())
-            names = setting.values(NAME)
-            pair = (str(names[first]), str(names[second]))
-            return pair in pairs or (not directed and pair[::-1] in pairs)
+            both_ways = pairs if directed else pairs | {pair[::-1] for pair in pairs}
+            names = [str(shown) for shown in setting.values(NAME)]
+            return setting.masks(lambda a, b: (names[a], names[b]) in both_ways)
         case Step(attribute) | Apart(attribute) | Times(attribute) | AddUp(attribute):
             ranks = setting.ranks(attribute)
-            a, b = ranks[first], ranks[second]
             cycle = len(setting.deck.cycles.get(attribute, ()))
-            return a is not None and b is not None and _computes(relation, a, b, cycle)
+            around = cycle if isinstance(relation, Step | Apart) else 0
+            there = _by_key([_wound(rank, around) for rank in ranks])
+            return tuple(
+                sum(
+                    there.get(two, 0)
+                    for two in {_wound(second, around) for second in _seconds(relation, one)}
+                )
+                for one in ranks
+            )
         case _:
             assert_never(relation)
 
 
-def _compares(
-    setting: Setting,
-    relation: Compare,
-    comparison: Comparison,
-    one: Value | None,
-    two: Value | None,
-) -> bool:
-    if one is None or two is None:
-        return False
-    if comparison is Comparison.EQUAL:
-        return one == two
-    if comparison is Comparison.DIFFERENT:
-        return one != two
-    a = setting.rank(relation.attribute, one)
-    b = setting.rank(relation.other or relation.attribute, two)
-    return a is not None and b is not None and comparison.holds(a, b)
+def _by_key(shown: Sequence[_Key | None]) -> dict[_Key, Mask]:
+    """For each value or rank the tokens that have it."""
+    found: dict[_Key, Mask] = {}
+    for token, key in enumerate(shown):
+        if key is not None:
+            found[key] = found.get(key, 0) | 1 << token
+    return found
 
 
-def _computes(relation: Step | Apart | Times | AddUp, a: Rank, b: Rank, cycle: int) -> bool:
+def _compares(comparison: Comparison, one: Rank | None, two: Rank) -> bool:
+    return one is not None and comparison.holds(one, two)
+
+
+def _wound(rank: Rank | None, around: int) -> Rank | None:
+    """A rank on a cycle of so many; on none for 0."""
+    return rank % around if around and rank is not None else rank
+
+
+def _seconds(relation: Step | Apart | Times | AddUp, first: Rank | None) -> tuple[Rank, ...]:
+    """What the second token may have if the first has this."""
+    if first is None:
+        return ()
     amount = Fraction(relation.amount)
     match relation:
         case Step():
-            return (b - a - amount) % cycle == 0 if cycle else b - a == amount
+            return (first + amount,)
         case Apart():
-            ways = (b - a - amount, a - b - amount)
-            return any(way % cycle == 0 if cycle else way == 0 for way in ways)
+            return (first + amount, first - amount)
         case Times():
-            return b == amount * a
+            return (first * amount,)
         case AddUp():
-            return a + b == amount
+            return (amount - first,)
         case _:
             assert_never(relation)

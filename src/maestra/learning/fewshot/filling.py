@@ -10,8 +10,8 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from maestra.learning.fewshot.lesson import Answer, Reply, RowQuestion, RuleQuestion
 from maestra.learning.fewshot.prior import FILLING, HABITS, SLIP, TRUST
+from maestra.rules.answers import Answer, Reply, RowQuestion, RuleQuestion
 from maestra.rules.forms.timing import Filling, FillOrder
 from maestra.rules.setting import Play
 

@@ -7,11 +7,11 @@ weighed in. What was worked out about rows of tokens is kept from one call to th
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 from math import log2
-from typing import assert_never
+from typing import Final, assert_never
 
 import numpy as np
 
@@ -19,20 +19,7 @@ from maestra.core.demonstration import Demonstration
 from maestra.core.state import State
 from maestra.core.tokens import TokenId
 from maestra.learning.fewshot.filling import fillings
-from maestra.learning.fewshot.lesson import (
-    Answer,
-    Belief,
-    Class,
-    Hypothesis,
-    Lesson,
-    MoveQuestion,
-    Question,
-    Reply,
-    RowQuestion,
-    RuleQuestion,
-    Slip,
-    Status,
-)
+from maestra.learning.fewshot.lesson import Belief, Class, Hypothesis, Lesson, Slip
 from maestra.learning.fewshot.posterior import Answered, Evidence, Found, Numbers, Search, Truths
 from maestra.learning.fewshot.prior import (
     LAZY,
@@ -59,18 +46,31 @@ from maestra.learning.fewshot.space import (
     rows_of,
     size_of,
 )
+from maestra.rules.answers import (
+    Answer,
+    MoveQuestion,
+    Question,
+    Reply,
+    RowQuestion,
+    RuleQuestion,
+)
+from maestra.rules.exercise import LearnStatus
 from maestra.rules.forms.length import FullRow
 from maestra.rules.forms.timing import FillOrder
 from maestra.rules.plays import NOBODY, Tokens, Truth
 from maestra.rules.rule import Rule
-from maestra.rules.setting import Play, Setting, play_of
+from maestra.rules.setting import Index, Play, Setting, play_of
 
-PLAUSIBLE: "float" = 0.001
+PLAUSIBLE: Final = 0.001
 """Weight from which a hypothesis counts for the safe bound."""
 
 
 def learn(
-    demonstrations: Sequence[Demonstration], answers: Sequence[Answer] = (), seed: int = 0
+    demonstrations: Sequence[Demonstration],
+    answers: Sequence[Answer] = (),
+    seed: int = 0,
+    *,
+    confirmed: Collection[Index] = (),
 ) -> Lesson:
     """The lesson of at least one demonstration, all on boards with as many goal cells.
 
@@ -78,6 +78,7 @@ def learn(
         demonstrations: what was shown.
         answers: what was said to questions.
         seed: of the sample that stands for the rows where they are too many to list.
+        confirmed: demonstrations, from 0, that are no slips for certain.
 
     Raises:
         ValueError: no demonstration.
@@ -85,7 +86,7 @@ def learn(
     """
     if not demonstrations:
         raise ValueError("no demonstration")
-    return _Lecture(tuple(demonstrations), tuple(answers), seed).lesson()
+    return _Lecture(tuple(demonstrations), tuple(answers), seed, frozenset(confirmed)).lesson()
 
 
 @dataclass(frozen=True)
@@ -95,6 +96,7 @@ class _Lecture:
     demonstrations: tuple[Demonstration, ...]
     answers: tuple[Answer, ...]
     seed: int
+    confirmed: frozenset[Index]
 
     @cached_property
     def plays(self) -> tuple[Play, ...]:
@@ -161,7 +163,8 @@ class _Lecture:
         again = [play for k, play in enumerate(self.plays) if k not in self.distinct]
         found = surviving([*first, *again], timed=self.timed, slips=int(len(first) > 1))
         # A row that is shown again, from another start, is no slip.
-        return [one for one in found if one.broken < 1 << len(first)]
+        sure = {1 << k for k, number in enumerate(self.distinct) if number in self.confirmed}
+        return [one for one in found if one.broken < 1 << len(first) and one.broken not in sure]
 
     @cached_property
     def _likely(self) -> list[Rule]:
@@ -202,8 +205,13 @@ class _Lecture:
             order = _order(position) if self.timed or not self.full else usual
             c = number(Context(setting, order, self._rows(setting, order)))
             whole = isinstance(answer.question, RowQuestion)
-            rows = _matching(contexts[c].rows, position, whole=whole)
-            answered.append(Answered(c, rows, answer.reply is Reply.YES))
+            asked = _matching(contexts[c].rows, position, whole=whole)
+            yes = answer.reply is Reply.YES
+            if answer.wrong is None:
+                answered.append(Answered(c, asked, yes))
+            else:
+                mended = tuple(map(pack, _mended(contexts[c].rows, position)))
+                answered.append(Answered(c, asked, yes, mended, answer.wrong))
         other = elsewhere(self.plays[0].setting)
         # Placed the other way round, so that what is meant in time differs from the row.
         back = contexts[0].order[::-1]
@@ -343,11 +351,11 @@ class _Lecture:
             mass[key] = mass.get(key, 0.0) + weight
         confidence = sure * mass[tuple(w.tobytes() for w in best.words)]
         sures = tuple(self._sure(belief, rule) for rule in rules)
-        status = Status.LEARNED if confidence >= LEARNED_AT else Status.AMBIGUOUS
+        status = LearnStatus.LEARNED if confidence >= LEARNED_AT else LearnStatus.AMBIGUOUS
         if belief.outside > 1 / 2 and len(self.distinct) > 1:
-            status = Status.OUTSIDE
+            status = LearnStatus.OUTSIDE
         if _contradict(self.answers):
-            status = Status.CONTRADICTORY
+            status = LearnStatus.CONTRADICTORY
         alternatives = tuple(
             Hypothesis((*length, *belief.rules_of(one), *order), weight * sure)
             for one, weight in zip(belief.classes[1:9], belief.weights[1:9], strict=True)
@@ -447,6 +455,12 @@ def _near(rows: Rows, play: Play) -> Truth:
     length = len(row)
     swapped = (same == length - 2) & np.isin(rows.row, row).all(axis=1)
     return np.asarray(((same == length - 1) | swapped) & rows.real)
+
+
+def _mended(rows: Rows, play: Play) -> list[Truth]:
+    """For each goal cell the rows of `_near` that differ there."""
+    near, row = _near(rows, play), _array(play)
+    return [near & (rows.row[:, cell] != token) for cell, token in enumerate(row)]
 
 
 def _matching(rows: Rows, position: Play, *, whole: bool) -> Words:

@@ -3,49 +3,15 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from enum import Enum
 
 from maestra.core.demonstration import Demonstration
 from maestra.learning.fewshot.posterior import Truths
 from maestra.learning.fewshot.space import Context, Words
-from maestra.rules.answers import (
-    Answer,
-    MoveQuestion,
-    Question,
-    Reply,
-    RowQuestion,
-    RuleQuestion,
-)
+from maestra.rules.answers import Answer
+from maestra.rules.exercise import LearnStatus
 from maestra.rules.forms.timing import Filling
 from maestra.rules.rule import Rule
 from maestra.rules.setting import Play
-
-__all__ = [
-    "Answer",
-    "Belief",
-    "Class",
-    "Hypothesis",
-    "Lesson",
-    "MoveQuestion",
-    "Question",
-    "Reply",
-    "RowQuestion",
-    "RuleQuestion",
-    "Slip",
-    "Status",
-]
-
-
-class Status(Enum):
-    """What a lesson came to."""
-
-    LEARNED = "learned"
-    AMBIGUOUS = "ambiguous"
-    """Several exercises explain what was shown; questions would tell them apart."""
-    OUTSIDE = "outside"
-    """No simple rule explains it better than listing it."""
-    CONTRADICTORY = "contradictory"
-    """No exercise agrees with all that was shown and answered."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -71,7 +37,7 @@ class Hypothesis:
 class Lesson:
     """What was learned from demonstrations and answers."""
 
-    status: Status
+    status: LearnStatus
     rules: tuple[Rule, ...]
     """The likeliest conjunction; of `OUTSIDE` too, where it is only a guess."""
     confidences: tuple[float, ...]

@@ -64,6 +64,10 @@ class Answered:
     rows: Words
     """The row, or all rows that a move leaves open."""
     yes: bool
+    mended: tuple[Words, ...] = ()
+    """For each goal cell, the rows that differ from the one asked about by a mistake there."""
+    wrong: int | None = None
+    """The goal cell that the caregiver says is wrong."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -81,7 +85,9 @@ class Truths:
 
     survivors: tuple[Survivor, ...]
     contexts: tuple[Context, ...]
-    _known: dict[tuple[object, ...], Words] = field(default_factory=dict[tuple[object, ...], Words])
+    _known: dict[tuple[object, ...], Words] = field(
+        default_factory=dict[tuple[object, ...], Words]
+    )
 
     def of(self, part: int, context: int) -> Words:
         """The rows of a context that a proposal allows."""
@@ -213,7 +219,10 @@ class Search:
         nothing = [self.truths.contexts[c].rows.everything for c in self.needed]
         words = [
             np.array(
-                [np.bitwise_and.reduce([all_, *(t[place[p]] for p in parts)]) for parts in candidates]
+                [
+                    np.bitwise_and.reduce([all_, *(t[place[p]] for p in parts)])
+                    for parts in candidates
+                ]
             )
             for t, all_ in zip(truths, nothing, strict=True)
         ]
@@ -240,16 +249,20 @@ class Search:
     ) -> Frontier:
         """The conjunctions of the frontier with one more proposal each that says more."""
         limit = min(found.values()) + WITHIN
+        survivors = self.truths.survivors
+        own = np.array([survivors[p].bits for p in involved])
         keys: list[tuple[int, ...]] = []
         words: list[list[Words]] = [[] for _ in self.needed]
         for k, parts in enumerate(frontier.parts):
             mine = [w[k] for w in frontier.words]
-            both = [w & t for w, t in zip(mine, truths, strict=True)]
-            less = np.zeros(len(involved), np.bool_)
+            # What costs too much alone need not be looked at.
+            some = np.flatnonzero(own + sum(survivors[p].bits for p in parts) < limit)
+            both = [w & t[some] for w, t in zip(mine, truths, strict=True)]
+            less = np.zeros(len(some), np.bool_)
             for w, longer in zip(mine, both, strict=True):
                 less |= (longer != w).any(axis=1)
             for place in np.flatnonzero(less):
-                key = tuple(sorted((*parts, involved[place])))
+                key = tuple(sorted((*parts, involved[some[place]])))
                 if key not in found and self._prior(key) < limit:
                     found[key] = inf
                     keys.append(key)
@@ -343,4 +356,18 @@ class Search:
             at = self.needed.index(answer.context)
             says = (words[at] & answer.rows).any(axis=1)
             bits_ -= np.where(says == answer.yes, log2(TRUST), log2(1 - TRUST))
+            if answer.wrong is not None:
+                bits_ -= np.log2(_pointed_at(answer, answer.wrong, words[at]))
         return Frontier(parts, words, bits_)
+
+
+def _pointed_at(answer: Answered, wrong: int, words: Words) -> Numbers:
+    """How likely the goal cell that is said to be wrong is, if each set of rows is what is right.
+
+    It is one where a change makes the row right; any, if none does.
+    """
+    mends = np.array([(words & near).any(axis=1) for near in answer.mended])
+    places = mends.sum(axis=0)
+    anywhere = 1 / len(answer.mended)
+    meant = np.where(places > 0, mends[wrong] / np.maximum(places, 1), anywhere)
+    return np.asarray(TRUST * meant + (1 - TRUST) * anywhere, np.float64)

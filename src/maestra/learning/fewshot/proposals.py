@@ -9,7 +9,6 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
-from functools import cached_property
 from itertools import combinations, permutations, product
 from math import comb, perm
 from typing import Final, TypeAlias
@@ -19,8 +18,8 @@ from maestra.learning.fewshot.prior import (
     ALONG_TIME_BITS,
     FAMILY_BITS,
     KIND_BITS,
-    UNUSUAL_BITS,
     SELDOM_BITS,
+    UNUSUAL_BITS,
     USUALLY_ADDED,
     Kind,
     amount_bits,
@@ -129,7 +128,9 @@ def _each(kind: Kind, rules: Iterable[Rule], cost: float | None = None) -> Itera
     return (Proposal(kind, (rule,), cost) for rule in rules)
 
 
-def _timed(shown: Shown, kind: Kind, rules: Callable[[Line], Iterable[Rule]]) -> Iterator[Proposal]:
+def _timed(
+    shown: Shown, kind: Kind, rules: Callable[[Line], Iterable[Rule]]
+) -> Iterator[Proposal]:
     """What is meant along the row, and where time tells something, the same in time."""
     along_row = list(rules(Line.ROW))
     yield from _each(kind, along_row)
@@ -193,7 +194,11 @@ def orders(shown: Shown) -> Iterator[Proposal]:
     places = (MIDDLE, *range(1, shown.setting.length + 1))
     ends = (MIDDLE, 1, shown.setting.length)
     for attribute, extreme, place in product(shown.ordinal, Extreme, places):
-        if place in ends or shown.setting.length % 2 == 0 or place != shown.setting.length // 2 + 1:
+        if (
+            place in ends
+            or shown.setting.length % 2 == 0
+            or place != shown.setting.length // 2 + 1
+        ):
             seldom = 0.0 if place in ends else 3.0
             rule = ExtremeAt(attribute, extreme, _position(shown, place))
             cost = one_of(6 * len(shown.ordinal)) + seldom
@@ -214,8 +219,10 @@ def groupings(shown: Shown) -> Iterator[Proposal]:
         (Kind.ALL_DIFFERENT, Pairs.ALL, different),
     ):
         along = _pairs(which, [relates(name) for name in names])
-        yield from _timed(shown, kind, along) if kind is Kind.NEIGHBOURS_DIFFER else _each(
-            kind, along(Line.ROW)
+        yield from (
+            _timed(shown, kind, along)
+            if kind is Kind.NEIGHBOURS_DIFFER
+            else _each(kind, along(Line.ROW))
         )
     alike: list[Relation] = [same(name) for name in names]
     yield from _each(Kind.MIRRORED, _pairs(Pairs.MIRRORED, alike)(Line.ROW))
@@ -259,7 +266,11 @@ def arithmetic(shown: Shown) -> Iterator[Proposal]:
             yield Proposal(Kind.RATIO, (rule,), cost + amount_bits(factor))
         span = shown.span(attribute)
         for number in shown.amounts(attribute, total):
-            for which, more in ((Pairs.NEIGHBOURS, 0.0), (Pairs.TWO_BY_TWO, 0.0), (Pairs.MIRRORED, 2.0)):
+            for which, more in (
+                (Pairs.NEIGHBOURS, 0.0),
+                (Pairs.TWO_BY_TWO, 0.0),
+                (Pairs.MIRRORED, 2.0),
+            ):
                 rule = EachPair(which, AddUp(attribute, number))
                 amount = more + round_bits(number, 2 * span)
                 yield Proposal(Kind.ADD_UP, (rule,), cost + amount)
@@ -274,11 +285,15 @@ def arithmetic(shown: Shown) -> Iterator[Proposal]:
                 if usual:
                     yield Proposal(Kind.EQUATION, (rule,), cost + 1.5)
                 else:
-                    yield Proposal(Kind.EQUATION_ANYWHERE, (rule,), cost + one_of(6 * comb(length, 3)))
+                    yield Proposal(
+                        Kind.EQUATION_ANYWHERE, (rule,), cost + one_of(6 * comb(length, 3))
+                    )
 
 
 def _totals(shown: Shown, attribute: str, cost: float, span: float) -> Iterator[Proposal]:
-    sums = sorted({found for play in shown.plays if (found := shown.sum_of(play, attribute)) is not None})
+    sums = sorted(
+        {found for play in shown.plays if (found := shown.sum_of(play, attribute)) is not None}
+    )
     for found in sums:
         if (number := as_number(found)) is not None:
             rule = Total(attribute, Comparison.EQUAL, number)
@@ -292,7 +307,9 @@ def _totals(shown: Shown, attribute: str, cost: float, span: float) -> Iterator[
                 if number > 0:
                     rule = Total(attribute, Comparison.AT_LEAST, number)
                     yield Proposal(Kind.TOTAL_BEYOND, (rule,), cost + bound + 1)
-                    yield Proposal(Kind.UNTIL_TOTAL, (UntilTotal(attribute, number),), cost + bound)
+                    yield Proposal(
+                        Kind.UNTIL_TOTAL, (UntilTotal(attribute, number),), cost + bound
+                    )
             for number in {most, most + unit}:
                 rule = Total(attribute, Comparison.AT_MOST, number)
                 yield Proposal(Kind.TOTAL_BEYOND, (rule,), cost + bound + 1)
@@ -316,7 +333,9 @@ def patterns(shown: Shown) -> Iterator[Proposal]:
             tests = shown.kinds[name]
             for three in permutations(tests, CHAIN):
                 amount = one_of(perm(len(tests), CHAIN))
-                yield Proposal(Kind.REPEATED, (Pattern(three, repeat=True, line=line),), cost + amount)
+                yield Proposal(
+                    Kind.REPEATED, (Pattern(three, repeat=True, line=line),), cost + amount
+                )
             for letters in REPEATED[1:]:
                 rule = Template(name, letters, repeat=True, line=line)
                 yield Proposal(Kind.REPEATED, (rule,), cost + 2)
@@ -365,7 +384,9 @@ def counts(shown: Shown) -> Iterator[Proposal]:
             a, b = (play.count(passing(play.setting, test)) for test in (one, two))
             if a + b == len(play.tokens) and 0 < a <= b:
                 both = (Count(one, Comparison.EQUAL, a), Count(two, Comparison.EQUAL, b))
-                yield Proposal(Kind.SO_MANY_OF_EACH, both, one_of(len(shown.contrasts) * length / 2))
+                yield Proposal(
+                    Kind.SO_MANY_OF_EACH, both, one_of(len(shown.contrasts) * length / 2)
+                )
     for order in (Comparison.MORE, Comparison.AT_LEAST, Comparison.EQUAL):
         yield from _each(Kind.MORE_OF, (CompareCounts(a, order, b) for a, b in shown.contrasts))
     for attribute in shown.named_attributes:
@@ -385,7 +406,9 @@ def places(shown: Shown) -> Iterator[Proposal]:
     """What is asked of one place or two, and conditions on the ends."""
     tests = shown.kinds_and_features
     ends = [FIRST, LAST, *([MIDDLE] if shown.setting.length % 2 else [])]
-    between = [Position(k) for k in range(2, shown.setting.length) if shown.setting.length + 1 != 2 * k]
+    between = [
+        Position(k) for k in range(2, shown.setting.length) if shown.setting.length + 1 != 2 * k
+    ]
     yield from _each(Kind.AT_END, (At(place, test) for place in ends for test in tests))
     yield from _each(Kind.AT_PLACE, (At(place, test) for place in between for test in tests))
     if shown.timed:
@@ -418,7 +441,9 @@ def sources(shown: Shown) -> Iterator[Proposal]:
     yield from _each(Kind.FROM_ROW, (EveryToken(Not(row)) for row in rows), one_of(len(rows)) + 3)
     yield from _each(Kind.FROM_ROW, (AllOfThem(row) for row in rows), one_of(len(rows)) + 3)
     yield from _each(Kind.FROM_COLUMN, map(EveryToken, columns))
-    yield from _each(Kind.FROM_COLUMN, (EveryToken(Not(c)) for c in columns), one_of(len(columns)) + 3)
+    yield from _each(
+        Kind.FROM_COLUMN, (EveryToken(Not(c)) for c in columns), one_of(len(columns)) + 3
+    )
     yield Proposal(Kind.STRAIGHT_UP, (StraightUp(),), 0.0)
     for row in rows:
         yield Proposal(Kind.ROW_UP, (EveryToken(row), StraightUp()))
@@ -430,11 +455,15 @@ def sources(shown: Shown) -> Iterator[Proposal]:
     )
     for extreme in Extreme:
         yield Proposal(Kind.TAKE_FIRST, (TakeExtreme(ORIGIN_COLUMN, extreme),), 1.0)
-    for attribute, direction, strict in product((ORIGIN_COLUMN, ORIGIN_ROW), Direction, (False, True)):
+    for attribute, direction, strict in product(
+        (ORIGIN_COLUMN, ORIGIN_ROW), Direction, (False, True)
+    ):
         cost = 1.0 + (attribute == ORIGIN_ROW) + 1.5 * strict
         for line in shown.lines:
             rule = Ordered(attribute, direction, strict, line)
-            yield Proposal(Kind.ORIGIN_ORDER, (rule,), cost + (line is Line.TIME) * ALONG_TIME_BITS)
+            yield Proposal(
+                Kind.ORIGIN_ORDER, (rule,), cost + (line is Line.TIME) * ALONG_TIME_BITS
+            )
     for attribute, relation, which in product(
         (ORIGIN_COLUMN, ORIGIN_ROW), (different, same), (Pairs.ALL, Pairs.NEIGHBOURS)
     ):

@@ -15,19 +15,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from maestra.learning.fewshot.learner import learn
-from maestra.learning.fewshot.lesson import (
-    Answer,
-    Belief,
-    Lesson,
-    MoveQuestion,
-    Question,
-    Reply,
-    RowQuestion,
-    RuleQuestion,
-    Status,
-)
+from maestra.learning.fewshot.lesson import Belief, Lesson
 from maestra.learning.fewshot.prior import TRUST
 from maestra.learning.fewshot.space import Context, follows, unpack
+from maestra.rules.answers import Answer, MoveQuestion, Question, Reply, RowQuestion, RuleQuestion
+from maestra.rules.exercise import LearnStatus
 from maestra.rules.forms.timing import FillOrder
 from maestra.rules.plays import NOBODY
 from maestra.rules.setting import Play
@@ -67,7 +59,7 @@ def next_question(lesson: Lesson, kinds: Collection[QuestionKind] = ALL_KINDS) -
         lesson: what is known.
         kinds: the kinds that may be asked.
     """
-    if lesson.status is Status.LEARNED or not lesson.belief.classes:
+    if lesson.status is LearnStatus.LEARNED or not lesson.belief.classes:
         return None
     asked = {answer.question for answer in lesson.answers}
     candidates = [

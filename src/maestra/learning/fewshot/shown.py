@@ -67,7 +67,9 @@ class Shown:
     def has_ties(self, attribute: str) -> bool:
         """Whether two tokens in storage show the same."""
         values = self.setting.values(attribute)
-        stored = [v for k, v in enumerate(values) if v is not None and self.setting.movable >> k & 1]
+        stored = [
+            v for k, v in enumerate(values) if v is not None and self.setting.movable >> k & 1
+        ]
         return len(set(stored)) < len(stored)
 
     @cached_property

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 from decimal import Decimal
-from itertools import combinations, pairwise
+from itertools import pairwise
 from typing import Final
 
 from maestra.core.tokens import Scale, Value
@@ -13,9 +13,7 @@ from maestra.rules.token_tests import (
     Among,
     Compared,
     Comparison,
-    Either,
     Extreme,
-    Not,
     TokenTest,
     has,
 )
