@@ -3,12 +3,13 @@
 A hypothesis is a conjunction of proposals, each one rule or a few that are meant together. Its
 prior is 2^-bits: `FAMILY_BITS` for the family of exercises a proposal belongs to, the bits of its
 `Kind` for how usual it is within the family, the logarithm of how many proposals of the kind this
-deck and board leave room for, and what `and_bits` says for more than one. The families are those of
-therapists' exercises, each as likely as any other; the bits of the kinds are our judgement, in
+deck and board leave room for, and what `and_bits` says for more than one. Where the parameters of
+a kind are not all as usual, its generator in `families` says so beside it. The families are those
+of therapists' exercises, each as likely as any other; the bits of the kinds are our judgement, in
 steps: 1 the usual thing, 2 or 3 one of several, 4 seldom, 5 and more hardly ever.
 
 The likelihood of a demonstration is its habit-weighted share of all plays that the hypothesis
-allows; see `posterior`.
+allows; see `posterior` and `weighing`.
 """
 
 from __future__ import annotations
@@ -25,7 +26,7 @@ from maestra.rules.forms.timing import Filling
 FAMILY_BITS: Final = 3.5
 """One of eleven families."""
 CROWD_BITS: Final = (0.0, 0.4, 0.0, 3.0, 6.0)
-"""For how many proposals there are: none, one, two, three, four; most exercises have one or two."""
+"""For how many proposals there are, none to four: most exercises have one or two."""
 UNUSUAL_BITS: Final = 3.5
 """For a further proposal that is not `USUALLY_ADDED`."""
 SELDOM_BITS: Final = 2.0
@@ -291,8 +292,8 @@ def and_bits(added: Sequence[float]) -> float:
     """What it costs that so many proposals are meant together.
 
     Args:
-        added: for each of them what `USUALLY_ADDED` says, or `UNUSUAL_BITS`. One that is not usually added is
-            the main thing, to which the others are.
+        added: for each of them what `USUALLY_ADDED` says, or `UNUSUAL_BITS`. One that is not
+            usually added is the main thing, to which the others are.
     """
     together = sum(added) - max(0.0, *added) if len(added) > 1 else 0.0
     return CROWD_BITS[len(added)] + together
