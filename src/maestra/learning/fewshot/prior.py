@@ -127,25 +127,25 @@ class Kind(Enum):
 KIND_BITS: Final[Mapping[Kind, float]] = MappingProxyType(
     {
         # A. Ordering
-        Kind.ORDER: 0.5,
+        Kind.ORDER: 0.3,
         Kind.ORDER_LOOSE: 1.5,
         # B. Selection
-        Kind.ONLY: 1.0,
+        Kind.ONLY: 0.6,
         Kind.ONLY_BEYOND: 2.0,
         Kind.ONLY_EXTREME: 2.5,
         Kind.ONLY_NOT: 2.6,
         Kind.ONLY_EITHER: 3.0,
-        Kind.ALL_OF_THEM: 1.6,
+        Kind.ALL_OF_THEM: 1.0,
         Kind.ALL_BEYOND: 4.0,
         Kind.AT_LEAST_ALL: 4.5,
         # C. Grouping
-        Kind.BLOCKS: 2.4,
+        Kind.BLOCKS: 2.9,
         Kind.NEIGHBOURS_DIFFER: 2.4,
         Kind.ALL_ALIKE: 2.4,
         Kind.ALL_DIFFERENT: 3.2,
         Kind.PARTNERS: 2.0,
         Kind.NEIGHBOURS_RELATED: 3.5,
-        Kind.SO_MANY_OF_EACH: 2.8,
+        Kind.SO_MANY_OF_EACH: 1.5,
         Kind.KINDS: 2.8,
         Kind.PAIRED_ALIKE: 5.0,
         # D. Shape
@@ -153,9 +153,9 @@ KIND_BITS: Final[Mapping[Kind, float]] = MappingProxyType(
         Kind.REPEATED: 3.3,
         Kind.TEMPLATE: 2.1,
         Kind.TEMPLATE_NAMED: 3.6,
-        Kind.SHAPE: 2.7,
-        Kind.EXTREME_AT: 2.7,
-        Kind.MIRRORED: 2.7,
+        Kind.SHAPE: 3.5,
+        Kind.EXTREME_AT: 3.2,
+        Kind.MIRRORED: 2.3,
         Kind.TWO_PLACES: 3.0,
         Kind.TWO_PLACES_FAR: 6.0,
         # E. Arithmetic
@@ -165,7 +165,7 @@ KIND_BITS: Final[Mapping[Kind, float]] = MappingProxyType(
         Kind.EQUAL_RATIO: 4.5,
         Kind.APART: 2.8,
         Kind.ADD_UP: 2.8,
-        Kind.TOTAL: 2.4,
+        Kind.TOTAL: 2.0,
         Kind.TOTAL_BEYOND: 2.8,
         Kind.EQUATION: 2.4,
         Kind.EQUATION_ANYWHERE: 5.0,
@@ -174,9 +174,9 @@ KIND_BITS: Final[Mapping[Kind, float]] = MappingProxyType(
         Kind.WORD: 1.0,
         Kind.WORD_OF: 2.0,
         # G. Routines
-        Kind.SUCCESSORS: 1.6,
-        Kind.CYCLIC: 2.8,
-        Kind.CHAIN: 2.0,
+        Kind.SUCCESSORS: 1.0,
+        Kind.CYCLIC: 2.0,
+        Kind.CHAIN: 0.5,
         # H. Source
         Kind.FROM_ROW: 2.5,
         Kind.ROW_UP: 2.5,
@@ -184,7 +184,7 @@ KIND_BITS: Final[Mapping[Kind, float]] = MappingProxyType(
         Kind.STRAIGHT_UP: 2.5,
         Kind.ROWS_IN_TURN: 2.8,
         Kind.TAKE_FIRST: 2.5,
-        Kind.ORIGIN_ORDER: 2.5,
+        Kind.ORIGIN_ORDER: 3.3,
         Kind.ORIGIN_PAIRS: 2.8,
         # I. Timing
         Kind.ORDER_IN_TIME: 1.6,
@@ -193,9 +193,9 @@ KIND_BITS: Final[Mapping[Kind, float]] = MappingProxyType(
         Kind.TAKE_EXTREME: 2.0,
         Kind.PATTERN_IN_TIME: 4.5,
         # J. Counting
-        Kind.COUNT: 1.6,
+        Kind.COUNT: 1.0,
         Kind.COUNT_BEYOND: 2.8,
-        Kind.CONTAINS: 2.8,
+        Kind.CONTAINS: 3.3,
         Kind.MORE_OF: 2.8,
         Kind.IF_THEN: 3.0,
         Kind.AT_END: 2.1,
