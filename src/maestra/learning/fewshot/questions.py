@@ -16,12 +16,12 @@ from numpy.typing import NDArray
 
 from maestra.learning.fewshot.learner import learn
 from maestra.learning.fewshot.lesson import Belief, Lesson
-from maestra.learning.fewshot.prior import TRUST
+from maestra.learning.fewshot.prior import OUTSIDE_YES, TRUST
 from maestra.learning.fewshot.space import Context, follows, unpack
 from maestra.rules.answers import Answer, MoveQuestion, Question, Reply, RowQuestion, RuleQuestion
 from maestra.rules.exercise import LearnStatus
 from maestra.rules.forms.timing import FillOrder
-from maestra.rules.plays import NOBODY
+from maestra.rules.plays import NOBODY, Tokens
 from maestra.rules.setting import Play
 
 CONSIDERED: Final = 40
@@ -75,15 +75,25 @@ def update(lesson: Lesson, question: Question, reply: Reply) -> Lesson:
     return learn(lesson.demonstrations, (*lesson.answers, Answer(question, reply)))
 
 
-def _weights(belief: Belief) -> NDArray[np.float64]:
+def _weights(belief: Belief) -> tuple[NDArray[np.float64], float]:
+    """Those of the hypotheses considered, and of what cannot be said; together one."""
     weights = np.array(belief.weights[:CONSIDERED])
-    return np.asarray(weights / weights.sum(), np.float64)
+    total = weights.sum() + belief.outside
+    return np.asarray(weights / total, np.float64), belief.outside / float(total)
 
 
-def information(yes: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Bits that an answer tells, by how likely the true answer is yes; answers are noisy."""
-    heard = yes * TRUST + (1 - yes) * (1 - TRUST)
-    return np.asarray(_entropy(heard) - _entropy(np.array(TRUST)), np.float64)
+def information(yes: NDArray[np.float64], outside: float = 0.0) -> NDArray[np.float64]:
+    """Bits that an answer tells; answers are noisy.
+
+    Args:
+        yes: how likely it is that a hypothesis holds of which the true answer is yes.
+        outside: how likely it is that the exercise is about what cannot be said; of that
+            nothing is known but that the answer is seldom yes.
+    """
+    known = 1 - outside
+    heard = yes * TRUST + (known - yes) * (1 - TRUST) + outside * OUTSIDE_YES
+    noise = known * _entropy(np.array(TRUST)) + outside * _entropy(np.array(OUTSIDE_YES))
+    return np.asarray(_entropy(heard) - noise, np.float64)
 
 
 def _entropy(p: NDArray[np.float64]) -> NDArray[np.float64]:
@@ -92,14 +102,17 @@ def _entropy(p: NDArray[np.float64]) -> NDArray[np.float64]:
 
 def _rows_and_moves(lesson: Lesson, kinds: Collection[QuestionKind]) -> Iterator[_Candidate]:
     belief = lesson.belief
-    weights = _weights(belief)
+    weights, outside = _weights(belief)
     for c in dict.fromkeys(belief.asked_in):
         context = belief.contexts[c]
         packed = np.array([one.words[c] for one in belief.classes[:CONSIDERED]])
         allowed = unpack(packed, len(context.rows.row))
-        worth = information(weights @ allowed)
-        shown = np.array([NOBODY if t is None else t for t in belief.plays[0].row])
+        worth = information(weights @ allowed, outside)
+        shown = _row(belief.plays[0])
         worth += LIKENESS * (context.rows.row == shown).sum(axis=1)
+        for play in belief.plays:
+            # What was shown is right: nobody has to be asked.
+            worth[(context.rows.row == _row(play)).all(axis=1)] = 0.0
         asked = {a.question.play for a in lesson.answers if isinstance(a.question, RowQuestion)}
         for best in np.argsort(-worth, kind="stable")[: len(asked) + 1]:
             play = _played(context, int(best))
@@ -108,7 +121,11 @@ def _rows_and_moves(lesson: Lesson, kinds: Collection[QuestionKind]) -> Iterator
             if QuestionKind.ROW in kinds:
                 yield _Candidate(float(worth[best]) / EFFORT[QuestionKind.ROW], RowQuestion(play))
             if QuestionKind.MOVE in kinds:
-                yield from _moves(context, play, allowed, weights)
+                yield from _moves(belief, context, play, allowed)
+
+
+def _row(play: Play) -> Tokens:
+    return np.array([NOBODY if token is None else token for token in play.row], np.int16)
 
 
 def _played(context: Context, number: int) -> Play:
@@ -121,29 +138,42 @@ def _played(context: Context, number: int) -> Play:
 
 
 def _moves(
-    context: Context, play: Play, allowed: NDArray[np.bool_], weights: NDArray[np.float64]
+    belief: Belief, context: Context, play: Play, allowed: NDArray[np.bool_]
 ) -> Iterator[_Candidate]:
     """The moves of a play, each asked about where it was made; the last is the row itself."""
+    weights, outside = _weights(belief)
     position = Play.begin(context.setting)
     matching = np.ones(len(context.rows.row), np.bool_)
     for token, cell in play.placed[:-1]:
+        after = position.after(token, cell)
         matching &= context.rows.row[:, cell] == token
-        yes = allowed[:, matching].any(axis=1)
-        worth = float(information(np.array(weights @ yes)))
-        yield _Candidate(worth / EFFORT[QuestionKind.MOVE], MoveQuestion(position, token, cell))
-        position = position.after(token, cell)
+        if not any(_leads_to(after, shown) for shown in belief.plays):
+            yes = allowed[:, matching].any(axis=1)
+            worth = float(information(np.array(weights @ yes), outside))
+            yield _Candidate(
+                worth / EFFORT[QuestionKind.MOVE], MoveQuestion(position, token, cell)
+            )
+        position = after
+
+
+def _leads_to(position: Play, shown: Play) -> bool:
+    """Whether all that lies there lies so at the end of a play that was shown."""
+    return all(
+        token is None or token == other
+        for token, other in zip(position.row, shown.row, strict=True)
+    )
 
 
 def _rules(lesson: Lesson, kinds: Collection[QuestionKind]) -> Iterator[_Candidate]:
     if QuestionKind.RULE not in kinds:
         return
     belief = lesson.belief
-    weights = _weights(belief)
+    weights, outside = _weights(belief)
     considered = belief.classes[:CONSIDERED]
     for rule in dict.fromkeys(r for one in considered for r in belief.rules_of(one)):
         truth = [belief.truths.of_rule(rule, c) for c in range(len(belief.contexts))]
         yes = np.array([follows(one.words, truth) for one in considered])
-        worth = float(information(np.array(weights @ yes)))
+        worth = float(information(np.array(weights @ yes), outside))
         yield _Candidate(worth / EFFORT[QuestionKind.RULE], RuleQuestion(rule))
     for filling, share in belief.filling:
         if filling is not None:
