@@ -10,7 +10,7 @@ caregiver picks what counts.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, replace
 from enum import Enum
 from typing import Final, TypeAlias, assert_never
 
@@ -185,14 +185,6 @@ class Terms:
 
 
 @dataclass(frozen=True, slots=True)
-class _Put:
-    """What the caregiver has been asked already besides questions."""
-
-    contradictions: frozenset[Contradiction] = frozenset()
-    slips: frozenset[Index] = frozenset()
-
-
-@dataclass(frozen=True, slots=True)
 class Dialogue:
     """What was shown and said, what it comes to, and what is asked now."""
 
@@ -212,7 +204,8 @@ class Dialogue:
     """Those that are meant as they were shown, whatever they look like."""
     asked: int = 0
     """Questions asked, out of the budget."""
-    put: _Put = field(default=_Put())
+    put: frozenset[Contradiction] = frozenset()
+    """What the caregiver was shown already, of what cannot both be."""
 
     @property
     def counting(self) -> tuple[Index, ...]:
@@ -349,7 +342,8 @@ def _learned(dialogue: Dialogue) -> Dialogue:
 
 def _relearned(dialogue: Dialogue) -> Dialogue:
     shown = [dialogue.demonstrations[k] for k in dialogue.counting]
-    lesson = learn(shown, dialogue.answers, dialogue.terms.seed)
+    confirmed = {n for n, k in enumerate(dialogue.counting) if k in dialogue.confirmed}
+    lesson = learn(shown, dialogue.answers, dialogue.terms.seed, confirmed=confirmed)
     after = replace(dialogue, lesson=lesson)
     return replace(after, contradictions=_found(after))
 
@@ -368,18 +362,19 @@ def _found(dialogue: Dialogue) -> tuple[Contradiction, ...]:
 
 def _ask_on(dialogue: Dialogue) -> Dialogue:
     """The dialogue with the next thing to ask."""
-    terms, put = dialogue.terms, dialogue.put
+    terms = dialogue.terms
     may_ask = dialogue.asked < terms.questions
-    new = [one for one in dialogue.contradictions if one not in put.contradictions]
+    new = [one for one in dialogue.contradictions if one not in dialogue.put]
     if new and (terms.follow_ups or may_ask):
-        put = replace(put, contradictions=put.contradictions | {new[0]})
+        put = dialogue.put | {new[0]}
         question = dialogue.answers[new[0].later.answer].question
         ask = AskWhichCounts(new[0]) if terms.follow_ups else AskAgain(new[0], question)
         return replace(dialogue, ask=ask, put=put)
-    slip = _new_slip(dialogue)
-    if slip is not None and terms.follow_ups:
-        put = replace(put, slips=put.slips | {slip.demonstration})
-        return replace(dialogue, ask=AskSlip(slip), put=put)
+    if dialogue.lesson.slips and terms.follow_ups:
+        # One that was confirmed or taken back is no longer among them.
+        slip = dialogue.lesson.slips[0]
+        number = dialogue.counting[slip.demonstration]
+        return replace(dialogue, ask=AskSlip(replace(slip, demonstration=number)))
     if dialogue.lesson.status is LearnStatus.LEARNED:
         return _finished(dialogue, Ending.SURE)
     if not may_ask:
@@ -388,15 +383,6 @@ def _ask_on(dialogue: Dialogue) -> Dialogue:
     if question_next is None:
         return _finished(dialogue, Ending.NOTHING_HELPS)
     return replace(dialogue, ask=AskQuestion(question_next))
-
-
-def _new_slip(dialogue: Dialogue) -> Slip | None:
-    """A likely mistake that was not asked about, by the number of its demonstration."""
-    found = (
-        replace(slip, demonstration=dialogue.counting[slip.demonstration])
-        for slip in dialogue.lesson.slips
-    )
-    return next((slip for slip in found if slip.demonstration not in dialogue.put.slips), None)
 
 
 def _finished(dialogue: Dialogue, ending: Ending) -> Dialogue:

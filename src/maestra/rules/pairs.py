@@ -136,7 +136,7 @@ def _related(setting: Setting, relation: Relation) -> Related:
             ranks = setting.ranks(attribute)
             cycle = len(setting.deck.cycles.get(attribute, ()))
             around = cycle if isinstance(relation, Step | Apart) else 0
-            there = _by_key([_wound(rank, around) for rank in ranks])
+            there = _by_key([None if rank is None else _wound(rank, around) for rank in ranks])
             return tuple(
                 sum(
                     there.get(two, 0)
@@ -161,9 +161,9 @@ def _compares(comparison: Comparison, one: Rank | None, two: Rank) -> bool:
     return one is not None and comparison.holds(one, two)
 
 
-def _wound(rank: Rank | None, around: int) -> Rank | None:
+def _wound(rank: Rank, around: int) -> Rank:
     """A rank on a cycle of so many; on none for 0."""
-    return rank % around if around and rank is not None else rank
+    return rank % around if around else rank
 
 
 def _seconds(relation: Step | Apart | Times | AddUp, first: Rank | None) -> tuple[Rank, ...]:

@@ -3,10 +3,13 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
 
 from maestra.core.demonstration import Demonstration
-from maestra.learning.fewshot.posterior import Truths
 from maestra.learning.fewshot.space import Context, Words
+from maestra.learning.fewshot.truths import Truths
 from maestra.rules.answers import Answer
 from maestra.rules.exercise import LearnStatus
 from maestra.rules.forms.timing import Filling
@@ -54,15 +57,22 @@ class Lesson:
     belief: Belief
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, eq=False)
 class Class:
     """Hypotheses that allow the same rows everywhere we look."""
 
     parts: tuple[int, ...]
+    """The proposals of the best of them."""
     bits: float
+    """Minus the logarithm of how likely it is, but for a constant."""
     slip: int | None
+    """The distinct layout that is taken for a mistake."""
     words: tuple[Words, ...]
     """The rows allowed, for each context."""
+
+    def allows_the_same(self, other: Class) -> bool:
+        """Whether the two differ at most in what they take for a mistake."""
+        return all(map(np.array_equal, self.words, other.words))
 
 
 @dataclass(frozen=True)
@@ -79,7 +89,14 @@ class Belief:
     filling: tuple[tuple[Filling | None, float], ...]
     """Orders of placement, likeliest first."""
     outside: float
+    """How likely it is that the exercise is about something that cannot be said."""
     full: bool
+    """Whether every goal cell was filled each time."""
+
+    @cached_property
+    def weighted(self) -> tuple[tuple[Class, float], ...]:
+        """The classes with their weights."""
+        return tuple(zip(self.classes, self.weights, strict=True))
 
     def rules_of(self, one: Class) -> tuple[Rule, ...]:
         """The rules of a class, without the length and the order of placement."""

@@ -11,24 +11,20 @@ Cost: O(proposals^2 x sample / 64 + candidates x rows / 64) words.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, field
+from collections.abc import Sequence
+from dataclasses import dataclass
 from functools import cached_property
+from itertools import combinations
 from math import inf, log2
-from typing import Final
+from typing import Final, TypeAlias
 
 import numpy as np
 from numpy.typing import NDArray
 
 from maestra.learning.fewshot.prior import CROWD_BITS, FREE_BITS, SLIP, TRUST, and_bits
-from maestra.learning.fewshot.proposals import Survivor
-from maestra.learning.fewshot.space import Context, Rows, Words, looks_at_start, pack, shared
-from maestra.rules.looks import lines_of
-from maestra.rules.rule import Rule
-from maestra.rules.setting import Line
+from maestra.learning.fewshot.space import Rows, Words, shared
+from maestra.learning.fewshot.truths import SAMPLE, Truths
 
-SAMPLE: Final = 2048
-"""Rows on which all proposals and pairs are looked at first."""
 PAIRED: Final = 160
 """Proposals that are paired with each other, those first that explain most alone."""
 CANDIDATES: Final = 140
@@ -41,11 +37,13 @@ LENGTH: Final = 4
 """Proposals of a hypothesis at most."""
 WITHIN: Final = 12.0
 """Bits from the best beyond which a hypothesis is forgotten: one in 4,000."""
-Numbers = NDArray[np.float64]
+Numbers: TypeAlias = NDArray[np.float64]
+Parts: TypeAlias = tuple[int, ...]
+"""The proposals of a hypothesis by their numbers, in order."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Evidence:
+class Layout:
     """A layout that was shown: in which context, and which of its rows."""
 
     context: int
@@ -74,84 +72,18 @@ class Answered:
 class Found:
     """A conjunction by the numbers of its proposals, what it costs, and which layout is a slip."""
 
-    parts: tuple[int, ...]
+    parts: Parts
     bits: float
     slip: int | None = None
-
-
-@dataclass(frozen=True, eq=False)
-class Truths:
-    """Proposals with their truth in each context, worked out when it is asked for."""
-
-    survivors: tuple[Survivor, ...]
-    contexts: tuple[Context, ...]
-    _known: dict[tuple[object, ...], Words] = field(
-        default_factory=dict[tuple[object, ...], Words]
-    )
-
-    def of(self, part: int, context: int) -> Words:
-        """The rows of a context that a proposal allows."""
-        return self._of(part, context, coarse=False)
-
-    def coarse(self, part: int, context: int) -> Words:
-        """The same of some rows only."""
-        return self._of(part, context, coarse=True)
-
-    def of_rule(self, rule: Rule, context: int) -> Words:
-        """The rows of a context that a rule allows."""
-        return self._rule(rule, self.contexts[context])
-
-    def _of(self, part: int, context: int, *, coarse: bool) -> Words:
-        """Worked out once for the contexts that cannot differ."""
-        key = (part, coarse, self._same[self._looks[part]][context])
-        if key not in self._known:
-            where = self.contexts[context]
-            where = where.some(SAMPLE) if coarse else where
-            rules = self.survivors[part].rules
-            self._known[key] = np.bitwise_and.reduce([self._rule(rule, where) for rule in rules])
-        return self._known[key]
-
-    def _rule(self, rule: Rule, context: Context) -> Words:
-        key = (rule, id(context.rows), context.order, id(context.setting))
-        if key not in self._known:
-            self._known[key] = pack(context.truth(rule))
-        return self._known[key]
-
-    @cached_property
-    def _looks(self) -> list[tuple[bool, bool]]:
-        """Of each proposal, whether it looks at the order in time, and at the start."""
-        return [
-            (
-                any(Line.TIME in lines_of(rule) for rule in one.rules),
-                any(looks_at_start(rule) for rule in one.rules),
-            )
-            for one in self.survivors
-        ]
-
-    @cached_property
-    def _same(self) -> dict[tuple[bool, bool], list[int]]:
-        """For each way to look, to each context the first one that is the same to it."""
-        same: dict[tuple[bool, bool], list[int]] = {}
-        for timed in (False, True):
-            for started in (False, True):
-                keys = [
-                    (
-                        id(c.rows),
-                        c.order if timed else None,
-                        id(c.setting) if started else id(c.setting.deck),
-                    )
-                    for c in self.contexts
-                ]
-                same[timed, started] = [keys.index(key) for key in keys]
-        return same
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Frontier:
     """Conjunctions, the rows each allows in every context, and their scores."""
 
-    parts: list[tuple[int, ...]]
+    parts: list[Parts]
     words: list[Words]
+    """For each context that is needed: conjunctions x words."""
     bits: Numbers
 
     def best(self, number: int) -> Frontier:
@@ -168,7 +100,7 @@ class Search:
     """A search for the conjunctions that explain layouts and answers best."""
 
     truths: Truths
-    layouts: tuple[Evidence, ...]
+    layouts: tuple[Layout, ...]
     """The different layouts that were shown."""
     answers: tuple[Answered, ...] = ()
 
@@ -208,23 +140,15 @@ class Search:
         allowed = 0 if slip is None else 1 << slip
         survivors = self.truths.survivors
         usable = [k for k, one in enumerate(survivors) if not one.broken & ~allowed]
-        candidates = list(self._candidates(usable, slip, known))
+        candidates = self._candidates(usable, slip, known)
         if not candidates:
             return []
         involved = sorted({part for parts in candidates for part in parts})
         truths = [
             np.array([self.truths.of(p, c) for p in involved], np.uint64) for c in self.needed
         ]
-        place = {part: k for k, part in enumerate(involved)}
-        nothing = [self.truths.contexts[c].rows.everything for c in self.needed]
         words = [
-            np.array(
-                [
-                    np.bitwise_and.reduce([all_, *(t[place[p]] for p in parts)])
-                    for parts in candidates
-                ]
-            )
-            for t, all_ in zip(truths, nothing, strict=True)
+            np.array([self.truths.of_all(parts, c) for parts in candidates]) for c in self.needed
         ]
         frontier = self._scored(candidates, words, slip)
         found = dict(zip(frontier.parts, frontier.bits.tolist(), strict=True))
@@ -245,13 +169,13 @@ class Search:
         involved: Sequence[int],
         truths: Sequence[Words],
         slip: int | None,
-        found: dict[tuple[int, ...], float],
+        found: dict[Parts, float],
     ) -> Frontier:
         """The conjunctions of the frontier with one more proposal each that says more."""
         limit = min(found.values()) + WITHIN
         survivors = self.truths.survivors
         own = np.array([survivors[p].bits for p in involved])
-        keys: list[tuple[int, ...]] = []
+        keys: list[Parts] = []
         words: list[list[Words]] = [[] for _ in self.needed]
         for k, parts in enumerate(frontier.parts):
             mine = [w[k] for w in frontier.words]
@@ -262,7 +186,7 @@ class Search:
             for w, longer in zip(mine, both, strict=True):
                 less |= (longer != w).any(axis=1)
             for place in np.flatnonzero(less):
-                key = tuple(sorted((*parts, involved[some[place]])))
+                key = tuple(sorted((*parts, involved[int(some[place])])))
                 if key not in found and self._prior(key) < limit:
                     found[key] = inf
                     keys.append(key)
@@ -270,46 +194,44 @@ class Search:
                         w.append(longer[place])
         return self._scored(keys, [np.array(w, np.uint64) for w in words], slip)
 
-    def _candidates(
-        self, usable: Sequence[int], slip: int | None, known: float
-    ) -> Iterator[tuple[int, ...]]:
+    def _candidates(self, usable: Sequence[int], slip: int | None, known: float) -> list[Parts]:
         """Nothing, single proposals and pairs that may be among the best, by the sample."""
-        if slip is None:
-            yield ()
+        nothing: list[Parts] = [()] if slip is None else []
         if not usable:
-            return
+            return nothing
         survivors = self.truths.survivors
         own = np.array([survivors[p].bits for p in usable])
         coarse = [
             np.array([self.truths.coarse(p, c) for p in usable], np.uint64) for c in self.needed
         ]
-        nothing = [self._some(c).everything for c in self.needed]
-        single = own + CROWD_BITS[1] + self._coarse_bits([n[None] for n in nothing], coarse)[0]
+        everything = [self._some(c).everything[None] for c in self.needed]
+        single = own + CROWD_BITS[1] + self._coarse_bits(everything, coarse)[0]
         order = np.argsort(single - 0.5 * own, kind="stable")[:PAIRED]
-        few = [one[order] for one in coarse]
-        together = self._coarse_bits(few, few)
-        added = np.array([survivors[usable[k]].added for k in order])
-        pair = own[order][:, None] + own[order][None] + CROWD_BITS[2] + together
-        both = np.maximum(added[:, None], added[None])
-        pair += added[:, None] + added[None] - np.maximum(both, 0.0)
-        ones, twos = np.triu_indices(len(order), 1)
-        score = pair[ones, twos]
-        # A pair in which one of the two says nothing more is no pair.
-        alone = np.diagonal(together)
-        idle = together[ones, twos] >= np.minimum(alone[ones], alone[twos]) - 1e-9
-        score = np.where(idle, inf, score)
-        everything = np.concatenate([single, score])
+        few = [usable[int(k)] for k in order]
+        ones, twos = np.triu_indices(len(few), 1)
+        pair = self._pair_bits(few, [words[order] for words in coarse])[ones, twos]
+        bits = np.concatenate([single, pair])
         if slip is not None:
-            everything -= log2(SLIP)
-        best = min(known, everything.min())
-        for k in np.argsort(everything, kind="stable")[:CANDIDATES]:
-            if everything[k] > best + WITHIN:
-                return
-            if k < len(single):
-                yield (usable[k],)
-            else:
-                a, b = order[ones[k - len(single)]], order[twos[k - len(single)]]
-                yield tuple(sorted((usable[a], usable[b])))
+            bits -= log2(SLIP)
+        limit = min(known, float(bits.min())) + WITHIN
+        best = np.argsort(bits, kind="stable")[:CANDIDATES]
+        best = best[bits[best] <= limit]
+        parts: list[Parts] = [(part,) for part in usable]
+        parts += [(min(pair), max(pair)) for pair in combinations(few, 2)]
+        return [*nothing, *(parts[int(k)] for k in best)]
+
+    def _pair_bits(self, few: Sequence[int], coarse: list[Words]) -> Numbers:
+        """The score by the sample of each two of a few proposals; infinite for no real pair."""
+        own = np.array([self.truths.survivors[p].bits for p in few])
+        added = np.array([self.truths.survivors[p].added for p in few])
+        together = self._coarse_bits(coarse, coarse)
+        # As `and_bits` says, for all pairs at once.
+        joined = added[:, None] + added - np.maximum(np.maximum(added[:, None], added), 0.0)
+        bits = own[:, None] + own + CROWD_BITS[2] + together + joined
+        # A pair in which one of the two says nothing more is none.
+        alone = np.diagonal(together)
+        idle = together >= np.minimum(alone[:, None], alone) - 1e-9
+        return np.asarray(np.where(idle, inf, bits), np.float64)
 
     def _some(self, context: int) -> Rows:
         return self.truths.contexts[context].some(SAMPLE).rows
@@ -331,9 +253,7 @@ class Search:
         mine = [self.truths.survivors[p] for p in parts]
         return sum(one.bits for one in mine) + and_bits([one.added for one in mine])
 
-    def _scored(
-        self, parts: list[tuple[int, ...]], words: list[Words], slip: int | None
-    ) -> Frontier:
+    def _scored(self, parts: list[Parts], words: list[Words], slip: int | None) -> Frontier:
         """The conjunctions with their scores, given the rows they allow in each context."""
         if not parts:
             return Frontier([], words, np.zeros(0))

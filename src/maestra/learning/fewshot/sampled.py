@@ -1,10 +1,10 @@
 """Rows drawn where there are too many to list, each with how many it stands for.
 
-Each proposal is a conjunction of rules about slots and pairs of slots; its rows are drawn from
+Each scheme is a conjunction of rules about slots and pairs of slots; its rows are drawn from
 left to right, every token that the rules still allow being equally likely, so the chance of a
-row is the product of one over the numbers of choices [1]. A row from any proposal stands for
-1 / (sum over proposals of draws x chance) rows, the balance heuristic [2]: sums over drawn rows
-are unbiased, and exact in variance where one proposal is the very rule that is counted.
+row is the product of one over the numbers of choices [1]. A row from any scheme stands for
+1 / (sum over schemes of draws x chance) rows, the balance heuristic [2]: sums over drawn rows
+are unbiased, and exact in variance where one scheme is the very rule that is counted.
 
 Nothing is random: the numbers are a hash of the seed.
 
@@ -28,17 +28,17 @@ from maestra.rules.rule import Rule
 from maestra.rules.setting import Line, Setting
 
 DRAWS: Final = 400
-"""Rows of each proposal: an estimate of a share of a half is good to 5 % (two sigma)."""
+"""Rows of each scheme: an estimate of a share of a half is good to 5 % (two sigma)."""
 SPREAD: Final = 1.2
 """Weights of one packed word are at most so far apart."""
 SINGLE: Final = 12
-"""Rules that are proposals on their own."""
+"""Rules that are schemes on their own."""
 PAIRED: Final = 4
-"""Rules about slots, and about pairs, of which any two are a proposal."""
+"""Rules about slots, and about pairs, of which any two are a scheme."""
 
 
 @dataclass(frozen=True, eq=False)
-class Proposal:
+class Scheme:
     """Which token may lie on each goal cell, given those to its left."""
 
     slots: tuple[Truth, ...]
@@ -61,11 +61,11 @@ def sampled(
         full: whether rows have no gaps.
         seed: any number.
     """
-    proposals = proposals_of(setting, rules, gaps=not full)
-    drawn = [draw(setting, one, DRAWS, seed + k) for k, one in enumerate(proposals)]
+    schemes = schemes_of(setting, rules, gaps=not full)
+    drawn = [draw(setting, one, DRAWS, seed + k) for k, one in enumerate(schemes)]
     rows = np.concatenate([np.array(shown, np.int16), *drawn])
     rows, inverse, counts = np.unique(rows, axis=0, return_inverse=True, return_counts=True)
-    chances = sum(chance(setting, one, rows) for one in proposals)
+    chances = sum(chance(setting, one, rows) for one in schemes)
     weight = np.maximum(counts / (DRAWS * np.maximum(chances, 1e-300)), 0.0)
     own = np.zeros(len(rows), np.bool_)
     own[inverse.ravel()[: len(shown)]] = True
@@ -91,19 +91,19 @@ def _in_words(rows: Tokens, weight: NDArray[np.float64]) -> Rows:
     return Rows(np.concatenate(parts), np.concatenate(weights))
 
 
-def proposals_of(setting: Setting, rules: Sequence[Rule], *, gaps: bool) -> list[Proposal]:
+def schemes_of(setting: Setting, rules: Sequence[Rule], *, gaps: bool) -> list[Scheme]:
     """Anything, each of the first rules, and two by two."""
     slots = [r for r in rules if isinstance(r, EachSlot) and r.along() is Line.ROW]
     pairs = [r for r in rules if isinstance(r, Pairwise) and r.along() is Line.ROW]
     singles = [r for r in rules if isinstance(r, EachSlot | Pairwise) and r.along() is Line.ROW]
     twos = [(one, two) for one in slots[:PAIRED] for two in pairs[:PAIRED]]
     return [
-        _proposal(setting, chosen, gaps=gaps)
+        _scheme(setting, chosen, gaps=gaps)
         for chosen in ((), *((rule,) for rule in singles[:SINGLE]), *twos)
     ]
 
 
-def _proposal(setting: Setting, rules: Sequence[EachSlot | Pairwise], *, gaps: bool) -> Proposal:
+def _scheme(setting: Setting, rules: Sequence[EachSlot | Pairwise], *, gaps: bool) -> Scheme:
     tokens = len(setting.deck.tokens)
     slots = [
         as_table(setting, setting.movable, nobody=False)[:tokens].copy()
@@ -120,28 +120,28 @@ def _proposal(setting: Setting, rules: Sequence[EachSlot | Pairwise], *, gaps: b
     for cell, token in enumerate(setting.given):
         if token is not None:
             slots[cell] = np.arange(tokens) == token
-    return Proposal(tuple(slots), tuple(map(tuple, links)), gaps)
+    return Scheme(tuple(slots), tuple(map(tuple, links)), gaps)
 
 
-def _choices(proposal: Proposal, rows: Tokens, cell: int) -> Truth:
+def _choices(scheme: Scheme, rows: Tokens, cell: int) -> Truth:
     """For each row the tokens that may come on `cell` after what lies to its left."""
-    free = np.repeat(proposal.slots[cell][None], len(rows), axis=0)
+    free = np.repeat(scheme.slots[cell][None], len(rows), axis=0)
     for earlier in range(cell):
         lies = rows[:, earlier]
         there = np.flatnonzero(lies != NOBODY)
         free[there, lies[there]] = False
-    for earlier, matrix in proposal.links[cell]:
+    for earlier, matrix in scheme.links[cell]:
         free &= matrix[rows[:, earlier]]
     return free
 
 
-def draw(setting: Setting, proposal: Proposal, number: int, seed: int) -> Tokens:
+def draw(setting: Setting, scheme: Scheme, number: int, seed: int) -> Tokens:
     """Rows drawn from left to right; fewer than `number` where some came to a dead end."""
     rows = np.full((number, setting.length), NOBODY, np.int16)
     alive = np.ones(number, np.bool_)
     for cell in range(setting.length):
-        free = _choices(proposal, rows, cell)
-        gap = proposal.gaps and setting.given[cell] is None
+        free = _choices(scheme, rows, cell)
+        gap = scheme.gaps and setting.given[cell] is None
         count = free.sum(axis=1) + gap
         alive &= count > 0
         which = (uniform(number, seed * 1_000 + cell) * count).astype(np.int64)
@@ -151,12 +151,12 @@ def draw(setting: Setting, proposal: Proposal, number: int, seed: int) -> Tokens
     return rows[alive]
 
 
-def chance(setting: Setting, proposal: Proposal, rows: Tokens) -> NDArray[np.float64]:
+def chance(setting: Setting, scheme: Scheme, rows: Tokens) -> NDArray[np.float64]:
     """How likely `draw` is to draw each row."""
     likely = np.ones(len(rows))
     for cell in range(setting.length):
-        free = _choices(proposal, rows, cell)
-        gap = proposal.gaps and setting.given[cell] is None
+        free = _choices(scheme, rows, cell)
+        gap = scheme.gaps and setting.given[cell] is None
         lies = rows[:, cell]
         may = np.where(lies == NOBODY, gap, free[np.arange(len(rows)), lies])
         likely *= may / np.maximum(free.sum(axis=1) + gap, 1)

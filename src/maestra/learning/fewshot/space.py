@@ -16,7 +16,6 @@ from typing import Final, TypeAlias
 import numpy as np
 from numpy.typing import NDArray
 
-from maestra.core.tokens import Deck
 from maestra.rules.forms.base import EachSlot, Pairwise
 from maestra.rules.forms.context import Cue, ModelRow
 from maestra.rules.forms.sources import StraightUp
@@ -311,8 +310,8 @@ def row_number(rows: Rows, play: Play) -> int:
 
 def same_tokens(settings: Sequence[Setting]) -> bool:
     """Whether the same tokens of the same deck lie in storage at each start."""
-    decks: list[Deck] = [setting.deck for setting in settings]
+    first = settings[0]
     return all(
-        deck == decks[0] and s.movable == settings[0].movable and s.given == settings[0].given
-        for deck, s in zip(decks, settings, strict=True)
+        one.deck == first.deck and one.movable == first.movable and one.given == first.given
+        for one in settings
     )

@@ -20,8 +20,6 @@ from maestra.rules.token_tests import (
 
 NUMBER_FEATURES: Final = ("odd", "even", "prime", "multiple-of-3", "multiple-of-5")
 DIGITS: Final = ("digits-1", "digits-2", "digits-3")
-MAX_EITHER: Final = 40
-"""Simple tests that are paired by `or`; of more, as on a deck of names, none is."""
 
 
 def scales_of(setting: Setting) -> dict[str, Scale]:
