@@ -27,7 +27,7 @@ FAMILY_BITS: Final = 3.5
 """One of eleven families."""
 CROWD_BITS: Final = (0.0, 0.4, 0.0, 3.0, 6.0)
 """For how many proposals there are, none to four: most exercises have one or two."""
-UNUSUAL_BITS: Final = 3.5
+UNUSUAL_BITS: Final = 4.5
 """For a further proposal that is not `USUALLY_ADDED`."""
 SELDOM_BITS: Final = 2.0
 """For a feature that few people think of: prime, a multiple of three, two digits."""
@@ -219,7 +219,7 @@ USUALLY_ADDED: Final[Mapping[Kind, float]] = MappingProxyType(
         Kind.ONLY_NOT: -0.5,
         Kind.ONLY_EITHER: -0.5,
         Kind.ALL_OF_THEM: -0.5,
-        Kind.COUNT: 1.5,
+        Kind.COUNT: 2.0,
     }
 )
 """What people like to add to another proposal: which tokens, in which order, how many. It may

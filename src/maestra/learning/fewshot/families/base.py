@@ -9,10 +9,11 @@ from typing import Final, TypeAlias
 
 from maestra.learning.fewshot.prior import ALONG_TIME_BITS, SELDOM_BITS, Kind, one_of
 from maestra.learning.fewshot.shown import Shown
-from maestra.rules.forms.conditions import At
-from maestra.rules.forms.counting import Count
+from maestra.rules.forms.conditions import At, IfThen
+from maestra.rules.forms.counting import CompareCounts, Count
 from maestra.rules.forms.relations import EachPair, Pairs
 from maestra.rules.forms.selection import AllOfThem, EveryToken
+from maestra.rules.forms.timing import Before, Follows
 from maestra.rules.pairs import Compare, Relation
 from maestra.rules.rule import Rule
 from maestra.rules.setting import Line
@@ -34,7 +35,7 @@ class Proposal:
     @property
     def seldom(self) -> float:
         """Bits more if it speaks of a feature that few people think of."""
-        return SELDOM_BITS if any(map(_speaks_of_seldom, self.rules)) else 0.0
+        return SELDOM_BITS if any(_is_seldom(rule, self.kind) for rule in self.rules) else 0.0
 
 
 Generator: TypeAlias = Callable[[Shown], Iterator[Proposal]]
@@ -75,21 +76,30 @@ def crossing(shown: Shown) -> list[Relation]:
     ]
 
 
-def _speaks_of_seldom(rule: Rule) -> bool:
+def _is_seldom(rule: Rule, kind: Kind) -> bool:
     match rule:
+        case Count(test) if kind is Kind.SO_MANY_OF_EACH:
+            return not _is_named(test)
         case EveryToken(test) | AllOfThem(test) | Count(test) | At(_, test):
-            return _is_seldom(test)
+            return not _is_usual(test)
+        case CompareCounts(first) | Before(first) | Follows(first) | IfThen(At(_, first)):
+            # What follows on what, and what there is more of, people say of kinds.
+            return not _is_named(first)
         case _:
             return False
 
 
-def _is_seldom(test: TokenTest) -> bool:
+def _is_named(test: TokenTest) -> bool:
+    return isinstance(test, Has) and test.feature.name.startswith("is-")
+
+
+def _is_usual(test: TokenTest) -> bool:
     match test:
         case Has(feature):
-            return feature.name not in USUAL_FEATURES and not feature.name.startswith("is-")
+            return feature.name in USUAL_FEATURES or _is_named(test)
         case Not(of):
-            return _is_seldom(of)
+            return _is_usual(of)
         case Either(first, second):
-            return _is_seldom(first) or _is_seldom(second)
+            return _is_usual(first) and _is_usual(second)
         case _:
-            return False
+            return True
