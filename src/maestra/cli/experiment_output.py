@@ -4,17 +4,20 @@ from __future__ import annotations
 
 import sys
 from collections.abc import Collection, Iterable, Sequence
+from pathlib import Path
 from typing import Final
 
 from rich.console import Console
 from rich.table import Table
 
+from maestra.cli.streams import write_file
 from maestra.experiments.coaching import Comparison, Mean, PolicyRow
 from maestra.experiments.curve import Choice, CurvePoint, CurveSettings
-from maestra.experiments.fewshot_sweep import Share, SweepRow
+from maestra.experiments.pages import PageTable, filled, in_words
+from maestra.experiments.shares import Share
 from maestra.experiments.table import TableRow
 
-PIPED_WIDTH: Final = 200
+PIPED_WIDTH: Final = 250
 """Characters in a line that nobody sees on a screen."""
 
 
@@ -59,15 +62,23 @@ def print_curve(
     _print(table)
 
 
-def print_sweep(rows: Iterable[SweepRow]) -> None:
-    """A line for each number of demonstrations and questions."""
-    table = Table("demonstrations", box=None, pad_edge=False)
-    for heading in ("questions", "exact", "on new decks", "learned", "of them exact"):
-        table.add_column(heading, justify="right")
-    for row in rows:
-        shares = (row.exact, row.exact_on_new_decks, row.learned, row.exact_of_learned)
-        table.add_row(f"{row.demonstrations}", f"{row.questions}", *map(_share, shares))
-    _print(table)
+def print_tables(tables: Iterable[PageTable]) -> None:
+    """Each table below its title."""
+    for one in tables:
+        table = Table(*one.headings, title=one.title, title_justify="left", box=None)
+        for row in one.rows:
+            table.add_row(*map(in_words, row))
+        _print(table)
+
+
+def write_page(path: str, tables: Iterable[PageTable]) -> None:
+    """Put the tables into their places in a page that is there.
+
+    Raises:
+        InvalidError: it has no place for one of them.
+        OSError: it cannot be read or written.
+    """
+    write_file(path, filled(Path(path).read_text(encoding="utf-8"), tables))
 
 
 def print_policies(rows: Iterable[PolicyRow], compared: Iterable[Comparison]) -> None:

@@ -31,8 +31,8 @@ from maestra.coaching.simulation import Simulation
 from maestra.core.faults import Fault
 from maestra.core.json_lines import FormatError
 from maestra.core.state import State
-from maestra.experiments.fewshot_sweep import Z_95, Share
 from maestra.experiments.results import Record, ResultsFile, open_results
+from maestra.experiments.shares import Z_95, Share
 from maestra.language import Language
 from maestra.learning.grounded import learn_grounded
 from maestra.learning.teaching_sets import teaching_set

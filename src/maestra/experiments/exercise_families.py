@@ -232,7 +232,7 @@ class Maker:
 
     def spelling(self) -> Rules:
         """F. The same row every time; any word of a lexicon."""
-        if self.deck.lexicon and self.rng.choice((True, False)):
+        if bool(self.deck.lexicon) and self.rng.choice((True, False)):
             return (Word(),)
         name = self.one(self.attributes(shared=False))
         tokens = self.rng.sample(self.deck.tokens, self.board.columns)

@@ -1,4 +1,4 @@
-"""How well the few-shot learner learns: random exercises, random people, exact or not.
+"""One sample of the few-shot learner: shown, asked about, learned, and exact or not.
 
 The judge compares what was learned with the truth on right plays, near misses and random plays,
 from fresh starts, and apart from that with a fresh deck of the same attributes.
@@ -6,19 +6,19 @@ from fresh starts, and apart from that with a fresh deck of the same attributes.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from random import Random
-from typing import Final
+from typing import Final, assert_never
 
 import numpy as np
 from numpy.typing import NDArray
 
 from maestra.core.demonstration import Demonstration
 from maestra.core.state import State
-from maestra.core.tokens import Deck, Token
+from maestra.core.tokens import Deck
+from maestra.experiments.demonstrators import Mistake, demonstrate, visible
 from maestra.experiments.random_exercises import (
-    HIDDEN,
     Person,
     Sample,
     deck_of,
@@ -28,154 +28,147 @@ from maestra.experiments.random_exercises import (
 )
 from maestra.learning.fewshot.learner import learn
 from maestra.learning.fewshot.lesson import Lesson
-from maestra.learning.fewshot.questions import next_question
+from maestra.learning.fewshot.questions import ALL_KINDS, QuestionKind, next_question
 from maestra.learning.fewshot.space import Context, Order, rows_of
 from maestra.rules.answers import Answer, MoveQuestion, Question, Reply, RowQuestion, RuleQuestion
-from maestra.rules.exercise import LearnStatus
-from maestra.rules.looks import lines_of
-from maestra.rules.plays import NOBODY, Tokens, Truth
+from maestra.rules.plays import Tokens
 from maestra.rules.rule import Rule, holding
-from maestra.rules.setting import Line, Play, Setting
+from maestra.rules.setting import Play, Setting
 
-REPEATS: Final = 0.6
-"""How often a lazy person shows the last row again."""
-SLIPS: Final = 0.15
-"""How likely a slipping person makes a mistake in a demonstration; never more than one in all."""
-FROM_THE_LEFT: Final = 0.6
-"""How often people who are not asked for an order fill from the left."""
-NEARNESS: Final = 1.0
-WRONG_TOKEN: Final = 0.5
-"""How many mistakes are a wrong token; the others are two in each other's place."""
 JUDGED: Final = 60
 """Plays of each of three kinds, from each of three starts."""
+DECKS: Final = 20
+"""Drawn to find another one that an exercise can be played with."""
 
 
 @dataclass(frozen=True, slots=True)
 class Outcome:
-    """What came of one sample."""
+    """What came of one sample, after so many questions at most."""
 
     seed: int
     family: str
     person: str
     demonstrations: int
+    questions: int
+    """How many were allowed."""
     asked: int
+    """How many there were."""
     status: str
     confidence: float
     exact: bool
+    """On fresh starts."""
     exact_on_new_decks: bool
-    slipped: tuple[int, int] | None
-    """The demonstration and move of the mistake that was made."""
+    slipped: Mistake | None
+    """The mistake that was made."""
     slips: tuple[tuple[int, int], ...]
-    """Those that were pointed out."""
+    """The demonstrations and moves that were pointed out."""
     rules: str
     truth: str
 
+    @property
+    def located(self) -> bool:
+        """Whether the mistake was pointed out where it is."""
+        return self.slipped is not None and any(
+            demonstration == self.slipped.demonstration and move in self.slipped.moves
+            for demonstration, move in self.slips
+        )
 
-def demonstrate(
-    sample: Sample, count: int, *, forced: bool = False
-) -> tuple[list[Demonstration], tuple[int, int] | None]:
-    """`count` demonstrations by the sample's person; and where the mistake is, if there is one.
+
+@dataclass(frozen=True, slots=True)
+class Circumstances:
+    """What is out of the usual with a sample."""
+
+    outside: bool = False
+    """The rule is about what the learner is not shown."""
+    slip: bool | None = None
+    """One demonstration holds a mistake, or none does; as the person is, if not said."""
+    kinds: frozenset[QuestionKind] = ALL_KINDS
+    """What may be asked about."""
+    wrong: float = 0.0
+    """How often an answer is the wrong one."""
+
+
+USUAL: Final = Circumstances()
+
+
+def trials(
+    seed: int, count: int, questions: Sequence[int], circumstances: Circumstances = USUAL
+) -> tuple[Outcome, ...]:
+    """One sample shown `count` times: what came of it after each of these numbers of questions.
 
     Args:
-        sample: the exercise and the person.
-        count: how many.
-        forced: make a mistake in one of them for certain.
+        seed: of the sample.
+        count: of demonstrations.
+        questions: how many may be asked, rising; one dialogue gives all outcomes.
+        circumstances: what is out of the usual.
     """
-    rng = Random(f"{sample.seed} shows")  # noqa: S311 - what is drawn is no secret
-    start = sample.start(sample.deck, rng)
-    plays: list[Play] = []
-    while len(plays) < count:
-        if sample.moves_tokens:
-            start = sample.start(sample.deck, rng)
-        play = _play(sample, Setting(sample.deck, start), plays, rng)
-        if play is not None:
-            plays.append(play)
-    slipped = None
-    slips = sample.person is Person.SLIPPING and any(rng.random() < SLIPS for _ in range(count))
-    if slips or forced:
-        which = rng.randrange(count)
-        plays[which], move = _slip(sample, plays[which], rng)
-        slipped = None if move is None else (which, move)
-    return [_shown(sample, play) for play in plays], slipped
+    person = None if circumstances.slip is None else Person.UNIFORM
+    sample = sample_of(seed, outside=circumstances.outside, person=person)
+    shown, slipped = demonstrate(sample, count, forced=bool(circumstances.slip))
+    known: dict[tuple[Rule, ...], tuple[bool, bool]] = {}
+    outcomes: list[Outcome] = []
+    for most, lesson in zip(
+        questions, lessons(sample, shown, questions, circumstances), strict=True
+    ):
+        if lesson.rules not in known:
+            known[lesson.rules] = _exact(sample, lesson.rules)
+        outcomes.append(outcome(sample, most, lesson, known[lesson.rules], slipped))
+    return tuple(outcomes)
 
 
-def _play(sample: Sample, setting: Setting, before: Sequence[Play], rng: Random) -> Play | None:
-    order = _order(sample, setting, rng)
-    context = Context(setting, order, rows_of(setting, order, full=sample.full))
-    right = truths(sample.truth, context) & _without_gaps(context)
-    if not right.any():
-        return None
-    if sample.person is Person.LAZY and before and rng.random() < REPEATS:
-        again = _played(setting, before[-1].row, order)
-        if all(rule.holds(again) for rule in sample.truth):
-            return again
-    weights = right.astype(float)
-    if sample.person is Person.NEAR_SIGHTED:
-        weights *= context.nearness(NEARNESS)
-    chosen = rng.choices(range(len(weights)), weights.tolist())[0]
-    return _played(setting, [int(t) for t in context.rows.row[chosen]], order)
+def lessons(
+    sample: Sample,
+    shown: Sequence[Demonstration],
+    questions: Sequence[int],
+    circumstances: Circumstances = USUAL,
+) -> Iterator[Lesson]:
+    """What is learned after at most so many questions each, all of one dialogue."""
+    rng = Random(f"{sample.seed} answers")  # noqa: S311 - what is drawn is no secret
+    answers: list[Answer] = []
+    lesson = learn(shown)
+    for most in questions:
+        while len(answers) < most:
+            question = next_question(lesson, circumstances.kinds)
+            if question is None:
+                break
+            reply = reply_to(sample, question)
+            if rng.random() < circumstances.wrong:
+                reply = _yes(reply is Reply.NO)
+            answers.append(Answer(question, reply))
+            lesson = learn(shown, answers)
+        yield lesson
 
 
-def _without_gaps(context: Context) -> Truth:
-    """The rows that leave no goal cell free before one that is filled: so people fill."""
-    filled = context.rows.row[:, list(context.order)] != NOBODY
-    return np.asarray((filled[:, 1:] <= filled[:, :-1]).all(axis=1))
+def outcome(
+    sample: Sample,
+    questions: int,
+    lesson: Lesson,
+    exact: tuple[bool, bool],
+    slipped: Mistake | None = None,
+) -> Outcome:
+    """What came of a lesson that is exact, or not, on fresh starts and on new decks."""
+    return Outcome(
+        sample.seed,
+        sample.family,
+        sample.person.value,
+        len(lesson.demonstrations),
+        questions,
+        len(lesson.answers),
+        lesson.status.value,
+        lesson.confidence,
+        *exact,
+        slipped,
+        tuple((slip.demonstration, slip.move) for slip in lesson.slips),
+        " & ".join(map(str, lesson.rules)),
+        " & ".join(map(str, sample.truth)),
+    )
 
 
-def _order(sample: Sample, setting: Setting, rng: Random) -> Order:
-    allowed = orders_for(sample.truth, setting)
-    usual: Order = tuple(range(setting.length))
-    timed = any(Line.TIME in lines_of(rule) for rule in sample.truth)
-    if not sample.full:
-        return usual[::-1] if sample.person is Person.LEFT_HANDER else usual
-    if sample.person is Person.LEFT_HANDER and usual[::-1] in allowed:
-        return usual[::-1]
-    if not timed and rng.random() < FROM_THE_LEFT:
-        return usual
-    return rng.choice(allowed)
-
-
-def _played(setting: Setting, row: Sequence[int | None], order: Order) -> Play:
-    play = Play.begin(setting)
-    for cell in order:
-        token = row[cell]
-        if token is not None and token != NOBODY:
-            play = play.after(token, cell)
-    return play
-
-
-def _slip(sample: Sample, play: Play, rng: Random) -> tuple[Play, int | None]:
-    """The play with one token taken for another or two in each other's place, and the move."""
-    order: Order = tuple(cell for _, cell in play.placed)
-    left = [t for t in range(len(sample.deck.tokens)) if play.left >> t & 1]
-    for _ in range(50):
-        row = list(play.row)
-        move = rng.randrange(len(order))
-        if left and rng.random() < WRONG_TOKEN:
-            row[order[move]] = rng.choice(left)
-        else:
-            other = rng.randrange(len(order))
-            row[order[move]], row[order[other]] = row[order[other]], row[order[move]]
-            move = max(move, other)
-        tried = _played(play.setting, row, order)
-        if not all(rule.holds(tried) for rule in sample.truth):
-            return tried, move
-    return play, None
-
-
-def _shown(sample: Sample, play: Play) -> Demonstration:
-    """The play as the learner may see it: without the hidden attribute."""
-    deck = visible(sample.deck)
-    return Demonstration(deck, play.setting.start, play.moves())
-
-
-def visible(deck: Deck) -> Deck:
-    """The deck without the hidden attribute."""
-    tokens = [
-        Token(t.id, tuple((k, v) for k, v in t.attributes if not k.startswith(HIDDEN)))
-        for t in deck.tokens
-    ]
-    return Deck(tuple(tokens), deck.orders, deck.cycles, deck.relations, deck.lexicon)
+def _exact(sample: Sample, rules: Sequence[Rule]) -> tuple[bool, bool]:
+    return (
+        agrees(sample, rules, sample.deck, f"{sample.seed} fresh"),
+        agrees(sample, rules, new_deck(sample), f"{sample.seed} new"),
+    )
 
 
 def agrees(sample: Sample, rules: Sequence[Rule], deck: Deck, seed: str) -> bool:
@@ -215,105 +208,10 @@ def _judged(setting: Setting, rows: Tokens, right: NDArray[np.intp], rng: Random
     return np.array([*chosen, *near, *anyhow], np.int16)
 
 
-def reply_to(sample: Sample, question: Question) -> Reply:
-    """What the sample's person, who knows the truth, says."""
-    match question:
-        case RowQuestion(play):
-            true = _true(sample, play)
-            return _yes(all(rule.holds(true) for rule in sample.truth))
-        case MoveQuestion(position, token, cell):
-            after = _true(sample, position.after(token, cell))
-            order = tuple(c for _, c in after.placed)
-            rest = tuple(k for k in range(after.setting.length) if k not in order)
-            context = Context(
-                after.setting,
-                (*order, *rest),
-                rows_of(after.setting, (*order, *rest), full=sample.full),
-            )
-            right = truths(sample.truth, context)
-            for cell_, lies in enumerate(after.row):
-                if lies is not None:
-                    right &= context.rows.row[:, cell_] == lies
-            return _yes(bool(right.any()))
-        case RuleQuestion(rule):
-            rng = Random(0)  # noqa: S311 - what is drawn is no secret
-            for _ in range(2):
-                setting = Setting(sample.deck, sample.start(sample.deck, rng))
-                for order in (
-                    orders_for(sample.truth, setting)[0],
-                    orders_for(sample.truth, setting)[-1],
-                ):
-                    context = Context(setting, order, rows_of(setting, order, full=sample.full))
-                    if (truths(sample.truth, context) & ~context.truth(rule)).any():
-                        return Reply.NO
-            return Reply.YES
-
-
-def _yes(is_so: bool) -> Reply:  # noqa: FBT001 - reads as an assertion
-    return Reply.YES if is_so else Reply.NO
-
-
-def _true(sample: Sample, play: Play) -> Play:
-    """The play with the deck that the truth knows."""
-    true = Setting(sample.deck, State(sample.board, play.setting.start.cells))
-    again = Play.begin(true)
-    for token, cell in play.placed:
-        again = again.after(token, cell)
-    return again
-
-
-def trial(
-    seed: int, count: int, *, asked: int = 0, outside: bool = False, slip: bool | None = None
-) -> Outcome:
-    """One sample shown `count` times, with at most `asked` questions, learned and judged.
-
-    Args:
-        seed: of the sample.
-        count: of demonstrations.
-        asked: questions at most.
-        outside: the rule is about what the learner is not shown.
-        slip: one demonstration holds a mistake, or none does; as the person is, if not said.
-    """
-    person = None if slip is None else Person.UNIFORM
-    sample = sample_of(seed, outside=outside, person=person)
-    shown, slipped = demonstrate(sample, count, forced=bool(slip))
-    lesson = learn(shown)
-    answers: list[Answer] = []
-    while len(answers) < asked:
-        question = next_question(lesson)
-        if question is None:
-            break
-        answers.append(Answer(question, reply_to(sample, question)))
-        lesson = learn(shown, answers)
-    return judged(sample, count, len(answers), lesson, slipped)
-
-
-def judged(
-    sample: Sample, count: int, asked: int, lesson: Lesson, slipped: tuple[int, int] | None
-) -> Outcome:
-    """What came of a lesson."""
-    other = new_deck(sample)
-    return Outcome(
-        sample.seed,
-        sample.family,
-        sample.person.value,
-        count,
-        asked,
-        lesson.status.value,
-        lesson.confidence,
-        agrees(sample, lesson.rules, sample.deck, f"{sample.seed} fresh"),
-        agrees(sample, lesson.rules, other, f"{sample.seed} new"),
-        slipped,
-        tuple((slip.demonstration, slip.move) for slip in lesson.slips),
-        " & ".join(map(str, lesson.rules)),
-        " & ".join(map(str, sample.truth)),
-    )
-
-
 def new_deck(sample: Sample) -> Deck:
     """Another deck of the same make that the exercise can be played with; else the same."""
     rng = Random(f"{sample.seed} deck")  # noqa: S311 - what is drawn is no secret
-    for _ in range(20):
+    for _ in range(DECKS):
         deck = deck_of(sample.make, rng)
         setting = Setting(deck, sample.start(deck, rng))
         order = orders_for(sample.truth, setting)[0]
@@ -323,6 +221,53 @@ def new_deck(sample: Sample) -> Deck:
     return sample.deck
 
 
-def learned_wrongly(outcome: Outcome) -> bool:
-    """Whether it said "learned" and was not exact."""
-    return outcome.status == LearnStatus.LEARNED.value and not outcome.exact
+def reply_to(sample: Sample, question: Question) -> Reply:
+    """What the sample's person, who knows the truth, says."""
+    match question:
+        case RowQuestion(play):
+            true = _true(sample, play)
+            return _yes(all(rule.holds(true) for rule in sample.truth))
+        case MoveQuestion(position, token, cell):
+            return _yes(_completable(sample, _true(sample, position.after(token, cell))))
+        case RuleQuestion(rule):
+            return _yes(_follows(sample, rule))
+        case _:
+            assert_never(question)
+
+
+def _yes(is_so: bool) -> Reply:  # noqa: FBT001 - reads as an assertion
+    return Reply.YES if is_so else Reply.NO
+
+
+def _completable(sample: Sample, after: Play) -> bool:
+    """Whether a right play begins so."""
+    order = tuple(cell for _, cell in after.placed)
+    order = (*order, *(k for k in range(after.setting.length) if k not in order))
+    context = Context(after.setting, order, rows_of(after.setting, order, full=sample.full))
+    right = truths(sample.truth, context)
+    for cell, lies in enumerate(after.row):
+        if lies is not None:
+            right &= context.rows.row[:, cell] == lies
+    return bool(right.any())
+
+
+def _follows(sample: Sample, rule: Rule) -> bool:
+    """Whether all right plays keep the rule, from two starts and in two orders."""
+    rng = Random(0)  # noqa: S311 - what is drawn is no secret
+    for _ in range(2):
+        setting = Setting(sample.deck, sample.start(sample.deck, rng))
+        orders = orders_for(sample.truth, setting)
+        for order in (orders[0], orders[-1]):
+            context = Context(setting, order, rows_of(setting, order, full=sample.full))
+            if (truths(sample.truth, context) & ~context.truth(rule)).any():
+                return False
+    return True
+
+
+def _true(sample: Sample, play: Play) -> Play:
+    """The play with the deck that the truth knows."""
+    true = Setting(sample.deck, State(sample.board, play.setting.start.cells))
+    again = Play.begin(true)
+    for token, cell in play.placed:
+        again = again.after(token, cell)
+    return again

@@ -98,10 +98,12 @@ class Sample:
     person: Person
     moves_tokens: bool
     """Whether each demonstration begins with the tokens elsewhere."""
+    filled: int | None = None
+    """A storage row, from 1, that is full at every start; otherwise a model is."""
 
     def start(self, deck: Deck, rng: Random) -> State:
         """Where the tokens of a deck may lie at the start."""
-        return start_of(deck, self.board, rng, model_row(self.truth))
+        return start_of(deck, self.board, rng, self.filled or model_row(self.truth))
 
     @property
     def full(self) -> bool:
@@ -211,7 +213,7 @@ def deck_of(of: Make, rng: Random) -> Deck:
 
 
 def start_of(deck: Deck, board: Board, rng: Random, model: int | None = None) -> State:
-    """The tokens anywhere in storage; if there is a `model` row, it is full."""
+    """The tokens anywhere in storage; if there is a `model`, that storage row is full."""
     rows = sorted({cell.row for cell in board.storage_cells})
     first = [] if model is None else [c for c in board.storage_cells if c.row == rows[model - 1]]
     others = [cell for cell in board.storage_cells if cell not in first]

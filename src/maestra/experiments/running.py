@@ -73,12 +73,12 @@ def curve_runs(
 
 def curve_csv(points: Iterable[CurvePoint]) -> str:
     """The curves as CSV, percentages rounded to hundredths."""
-    return _csv([_plain(asdict(point), PERCENT_DIGITS) for point in points])
+    return rows_csv([_plain(asdict(point), PERCENT_DIGITS) for point in points])
 
 
 def table_csv(rows: Iterable[TableRow]) -> str:
     """The table as CSV, times in seconds."""
-    return _csv([_plain(asdict(row), SECOND_DIGITS) for row in rows])
+    return rows_csv([_plain(asdict(row), SECOND_DIGITS) for row in rows])
 
 
 def curve_json(settings: CurveSettings, runs: int, points: Iterable[CurvePoint]) -> Record:
@@ -195,7 +195,8 @@ def _plain(fields: dict[str, object], digits: int) -> dict[str, object]:
     return plain
 
 
-def _csv(rows: Sequence[dict[str, object]]) -> str:
+def rows_csv(rows: Sequence[dict[str, object]]) -> str:
+    """Rows of the same fields as CSV, with a first line that names them."""
     text = io.StringIO(newline="")
     writer = csv.DictWriter(text, list(rows[0]) if rows else [], lineterminator="\n")
     writer.writeheader()

@@ -1,4 +1,4 @@
-"""Learning curves as an SVG picture: readable without colour, described for who cannot see it."""
+"""Curves as an SVG picture: readable without colour, described for who cannot see it."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ _STYLES: Final = (("#0072b2", ""), ("#d55e00", "8 5"), ("#009e73", "2 4"))
 
 @dataclass(frozen=True, slots=True)
 class Point:
-    """One place on a curve, with its spread; x counts from 1, the rest in percent."""
+    """One place on a curve, with its spread; x counts from 1, the rest up to the picture's top."""
 
     x: int
     mean: float
@@ -42,19 +42,22 @@ class Series:
 
 @dataclass(frozen=True, slots=True)
 class Picture:
-    """Curves over a number of demonstrations, and the words around them."""
+    """Curves over a number, and the words around them."""
 
     title: str
     description: str
     horizontal: str
     vertical: str
     series: tuple[Series, ...]
+    top: float = 100.0
+    """The upper end of the vertical axis, which begins at 0: percent if not said."""
 
 
 def draw(picture: Picture) -> str:
     """The picture as an SVG document."""
     last = max((point.x for one in picture.series for point in one.points), default=1)
-    styles = list(zip(picture.series, cycle(_STYLES), strict=False))
+    drawn = [_in_percent(one, picture.top) for one in picture.series]
+    styles = list(zip(drawn, cycle(_STYLES), strict=False))
     size = f"0 0 {WIDTH} {HEIGHT}"
     return "\n".join(
         [
@@ -78,6 +81,12 @@ def draw(picture: Picture) -> str:
     )
 
 
+def _in_percent(series: Series, top: float) -> Series:
+    scale = 100 / top
+    points = (Point(p.x, p.mean * scale, p.low * scale, p.high * scale) for p in series.points)
+    return Series(series.label, tuple(points))
+
+
 def _x(value: float, last: int) -> float:
     return LEFT + (WIDTH - LEFT - RIGHT) * value / last
 
@@ -97,14 +106,15 @@ def _axes(picture: Picture, last: int) -> list[str]:
         pieces.append(
             f'<line x1="{LEFT}" y1="{y:.1f}" x2="{WIDTH - RIGHT}" y2="{y:.1f}" stroke="#d0d0d0"/>'
         )
-        pieces.append(_text(LEFT - 8, y + 5, str(percent), 'text-anchor="end"'))
-    for value in range(0, last + 1, _step(last)):
-        x = _x(value, last)
+        value = f"{percent * picture.top / 100:g}"
+        pieces.append(_text(LEFT - 8, y + 5, value, 'text-anchor="end"'))
+    for place in range(0, last + 1, _step(last)):
+        x = _x(place, last)
         pieces.append(
             f'<line x1="{x:.1f}" y1="{_y(0):.1f}" x2="{x:.1f}" y2="{_y(0) + 6:.1f}"'
             ' stroke="#1a1a1a"/>'
         )
-        pieces.append(_text(x, _y(0) + 22, str(value), 'text-anchor="middle"'))
+        pieces.append(_text(x, _y(0) + 22, str(place), 'text-anchor="middle"'))
     middle = (LEFT + WIDTH - RIGHT) / 2
     pieces.append(_text(middle, HEIGHT - 16, picture.horizontal, 'text-anchor="middle"'))
     turned = f'text-anchor="middle" transform="rotate(-90 20 {_y(50):.1f})"'
