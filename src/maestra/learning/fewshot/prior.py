@@ -211,8 +211,8 @@ KIND_BITS: Final[Mapping[Kind, float]] = MappingProxyType(
 
 USUALLY_ADDED: Final[Mapping[Kind, float]] = MappingProxyType(
     {
-        Kind.ORDER: -0.5,
-        Kind.ORDER_LOOSE: -0.5,
+        Kind.ORDER: 1.0,
+        Kind.ORDER_LOOSE: 1.0,
         Kind.ONLY: -0.5,
         Kind.ONLY_BEYOND: -0.5,
         Kind.ONLY_EXTREME: -0.5,
