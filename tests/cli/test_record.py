@@ -59,8 +59,8 @@ def test_a_backup_is_restored_elsewhere(kept: Path) -> None:
     assert maestra("patients", "list", *new).out == "plover\nwren\n"
     new = ("--data", kept / "third", "--keys", kept / "third-keys")
     ran = maestra("store", "restore", kept / "backup", "--keys-file", kept / "all.keys", *new)
-    assert (ran.code, "left out" in ran.out) == (2, False), ran
-    assert "not be" in ran.err or "no " in ran.err or "keys" in ran.err
+    # Keys that were written before the erasing still open what was backed up before it.
+    assert (ran.code, "left out" in ran.out) == (0, False), ran
 
 
 @pytest.mark.parametrize("form", ["csv", "jsonl", "xes"])

@@ -118,7 +118,9 @@ def erase(patient: str, data: str | None, keys: str | None) -> None:
             store.erase(PatientId(patient))
         except KeyError:
             raise unknown(patient) from None
-    print_lines(["erased; what was exported before is not Maestra's, delete it yourself"])
+    print_lines(
+        ["erased; delete yourself what you exported before, and files of keys written before"]
+    )
 
 
 def unknown(patient: str) -> InvalidError:

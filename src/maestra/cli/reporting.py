@@ -54,7 +54,9 @@ def _print(made: Report) -> None:
 
 
 def _table(table: ReportTable, title: str) -> Table:
-    drawn = Table(*table.heads, title=title, title_justify="left")
+    drawn = Table(title=title, title_justify="left")
+    for number, head in enumerate(table.heads):
+        drawn.add_column(head, no_wrap=number == 0)
     for row in table.rows:
         drawn.add_row(*row)
     return drawn
