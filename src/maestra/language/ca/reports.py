@@ -12,13 +12,13 @@ REPORT: Final[Mapping[str, str]] = MappingProxyType(
         "session": "Sessió",
         "sessions": "Sessions",
         "begun": "Inici",
-        "completion": "Completades",
+        "completion": "Fet",
         "completed": "sí",
         "broken-off": "no",
         "steps": "Passos",
-        "first-attempts": "Bé al primer intent",
-        "reaction": "Temps de reacció (mediana)",
-        "assistance": "Ajuda (nivell mitjà)",
+        "first-attempts": "Bé a la primera",
+        "reaction": "Reacció",
+        "assistance": "Ajuda",
         "lasted": "Durada",
         "trend": "Tendència",
         "rising": "puja",
@@ -30,9 +30,10 @@ REPORT: Final[Mapping[str, str]] = MappingProxyType(
         "minutes": "{number} min",
         "level": "{number} de 5",
         "how-to-read": (
-            "Bé al primer intent: passos que la persona ha fet sense cap intent rebutjat "
-            "abans. Temps de reacció: des que li toca fins que aixeca una fitxa. Ajuda: "
-            "de 0 (cap) a 5 (el robot col·loca la fitxa), la més alta de cada pas."
+            "Bé a la primera: passos que la persona ha fet sense cap intent rebutjat "
+            "abans. Reacció: mediana del temps des que li toca fins que aixeca una "
+            "fitxa. Ajuda: nivell mitjà, de 0 (cap) a 5 (el robot col·loca la fitxa), la "
+            "més alta de cada pas."
         ),
     }
 )

@@ -12,13 +12,13 @@ REPORT: Final[Mapping[str, str]] = MappingProxyType(
         "session": "Session",
         "sessions": "Sessions",
         "begun": "Begun",
-        "completion": "Completed",
+        "completion": "Done",
         "completed": "yes",
         "broken-off": "no",
         "steps": "Steps",
-        "first-attempts": "Right at the first attempt",
-        "reaction": "Reaction time (median)",
-        "assistance": "Assistance (mean level)",
+        "first-attempts": "Right at once",
+        "reaction": "Reaction",
+        "assistance": "Help",
         "lasted": "Lasted",
         "trend": "Trend",
         "rising": "rising",
@@ -30,10 +30,10 @@ REPORT: Final[Mapping[str, str]] = MappingProxyType(
         "minutes": "{number} min",
         "level": "{number} of 5",
         "how-to-read": (
-            "Right at the first attempt: steps that the patient made without a refused "
-            "attempt before. Reaction time: from the patient's turn until a token is "
-            "lifted. Assistance: from 0 (none) to 5 (the robot places the token), the "
-            "highest of each step."
+            "Right at once: steps that the patient made without a refused attempt "
+            "before. Reaction: median time from the patient's turn until a token is "
+            "lifted. Help: mean level from 0 (none) to 5 (the robot places the token), "
+            "the highest of each step."
         ),
     }
 )

@@ -12,13 +12,13 @@ REPORT: Final[Mapping[str, str]] = MappingProxyType(
         "session": "Sesión",
         "sessions": "Sesiones",
         "begun": "Inicio",
-        "completion": "Completadas",
+        "completion": "Hecho",
         "completed": "sí",
         "broken-off": "no",
         "steps": "Pasos",
-        "first-attempts": "Bien al primer intento",
-        "reaction": "Tiempo de reacción (mediana)",
-        "assistance": "Ayuda (nivel medio)",
+        "first-attempts": "Bien a la primera",
+        "reaction": "Reacción",
+        "assistance": "Ayuda",
         "lasted": "Duración",
         "trend": "Tendencia",
         "rising": "sube",
@@ -30,10 +30,10 @@ REPORT: Final[Mapping[str, str]] = MappingProxyType(
         "minutes": "{number} min",
         "level": "{number} de 5",
         "how-to-read": (
-            "Bien al primer intento: pasos que la persona hizo sin ningún intento "
-            "rechazado antes. Tiempo de reacción: desde que le toca hasta que levanta "
-            "una ficha. Ayuda: de 0 (ninguna) a 5 (el robot coloca la ficha), la mayor "
-            "de cada paso."
+            "Bien a la primera: pasos que la persona hizo sin ningún intento rechazado "
+            "antes. Reacción: mediana del tiempo desde que le toca hasta que levanta una "
+            "ficha. Ayuda: nivel medio, de 0 (ninguna) a 5 (el robot coloca la ficha), "
+            "la mayor de cada paso."
         ),
     }
 )
