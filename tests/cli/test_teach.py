@@ -312,7 +312,7 @@ TYPED = [
     (b"n\nneither\n", AMBIGUOUS, ["abe", "cde"], (Reply.UNSURE,)),
     (b"n\n2\n", AMBIGUOUS, ["abe", "cde"], (Reply.NO,)),
     (b"no\nu\n", OUTSIDE, ["abc"], (Reply.NO,)),
-    (b"y\n", (Status.LEARNED, (slip(0),)), ["cba"], ()),
+    (b"y\n", (Status.LEARNED, (slip(0),)), ["abc"], (Reply.YES,)),
     (b"again\n", (Status.LEARNED, (slip(0),)), ["cba"], ()),
     (b"again\n1 2 3 5\n1, 2, 5\n", (Status.LEARNED, (slip(0),)), ["cba"], ()),
     (b"", AMBIGUOUS, ["abc"], ()),

@@ -238,12 +238,24 @@ def test_without_budget_a_contradiction_is_left_and_named(script: Install) -> No
 
 def test_a_likely_mistake_is_asked_about_once(script: Install) -> None:
     script((Status.LEARNED, (slip(1),)))
-    taught = begin([small("abc"), small("bac")])
+    taught = begin([small("abc"), small("abd")])
     assert taught.ask == AskSlip(slip(1))
     taught = step(taught, SlipReplied(SlipReply.CONFIRMED))
-    assert taught.confirmed == {1}
+    assert taught.answers == (Answer(row("abd"), Reply.YES),)
     assert taught.counting == (0, 1)
+    assert taught.asked == 0
     assert taught.ask == Finished(Ending.SURE, ())
+    again = begin([small("abc"), small("abd")], taught.answers)
+    assert again.ask == Finished(Ending.SURE, ())
+
+
+def test_what_was_meant_against_all_rules_is_put_beside_them(script: Install) -> None:
+    script((Status.LEARNED, (slip(1),)))
+    taught = talk(begin([small("abc"), small("bac")]), SlipReplied(SlipReply.CONFIRMED))
+    assert taught.ask == AskWhichCounts(Contradiction(Understood(), Said(0)))
+    assert step(taught, Counts(Side.EARLIER)).ask == Finished(Ending.SURE, ())
+    insisting = step(taught, Counts(Side.LATER))
+    assert insisting.status is LearnStatus.CONTRADICTORY
 
 
 def test_a_demonstration_that_is_taken_back_does_not_count(script: Install) -> None:
@@ -264,6 +276,7 @@ def test_who_takes_everything_back_is_left_with_nothing(script: Install) -> None
     script((Status.LEARNED, (slip(0),)))
     taught = talk(begin([small("abc")]), SlipReplied(SlipReply.TAKEN_BACK))
     assert taught.ask == Finished(Ending.NOTHING_LEFT, ())
+    assert taught.status is LearnStatus.AMBIGUOUS
 
 
 def test_who_knows_only_questions_is_not_asked_about_mistakes(script: Install) -> None:

@@ -118,7 +118,7 @@ class SlipReply(Enum):
 
     TAKEN_BACK = "taken-back"
     CONFIRMED = "confirmed"
-    """It was meant as it was shown."""
+    """It was meant as it was shown: the same as to be asked about that row, and to say yes."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -208,8 +208,6 @@ class Dialogue:
     """What was shown and said that cannot both be."""
     taken_back: frozenset[Index] = frozenset()
     """The demonstrations that no longer count."""
-    confirmed: frozenset[Index] = frozenset()
-    """Those that are meant as they were shown, whatever they look like."""
     asked: int = 0
     """Questions asked, out of the budget."""
     put: _Put = field(default=_Put())
@@ -295,7 +293,9 @@ def _answered(dialogue: Dialogue, answer: Answer) -> Dialogue:
 def _slip_replied(dialogue: Dialogue, number: Index, reply: SlipReply) -> Dialogue:
     match reply:
         case SlipReply.CONFIRMED:
-            return _learned(replace(dialogue, confirmed=dialogue.confirmed | {number}))
+            # That is an answer like any other: this row is right.
+            meant = Answer(RowQuestion(play_of(dialogue.demonstrations[number])), Reply.YES)
+            return _learned(replace(dialogue, answers=(*dialogue.answers, meant)))
         case SlipReply.TAKEN_BACK:
             return _learned(_without(dialogue, Shown(number)))
         case _:
@@ -392,11 +392,20 @@ def _ask_on(dialogue: Dialogue) -> Dialogue:
 
 def _new_slip(dialogue: Dialogue) -> Slip | None:
     """A likely mistake that was not asked about, by the number of its demonstration."""
+    right = {a.question for a in dialogue.answers if a.reply is Reply.YES}
     found = (
         replace(slip, demonstration=dialogue.counting[slip.demonstration])
         for slip in dialogue.lesson.slips
     )
-    return next((slip for slip in found if slip.demonstration not in dialogue.put.slips), None)
+    return next(
+        (
+            slip
+            for slip in found
+            if slip.demonstration not in dialogue.put.slips
+            and RowQuestion(play_of(dialogue.demonstrations[slip.demonstration])) not in right
+        ),
+        None,
+    )
 
 
 def _finished(dialogue: Dialogue, ending: Ending) -> Dialogue:
