@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass
 from html import escape
+from math import ceil
 from typing import Final
 
 from maestra.coaching.ports import PatientId
@@ -127,10 +128,10 @@ class Report:
         shares = tuple(_times(one.first_attempt_share, 100) for one in exercise.sessions)
         reactions = tuple(_times(one.reaction, 0.001) for one in exercise.sessions)
         levels = tuple(one.assistance for one in exercise.sessions)
-        longest = max((one for one in reactions if one is not None), default=1.0)
+        longest = max((one for one in reactions if one), default=1.0)
         return (
             Chart(f"{self._say(ReportKey.FIRST_ATTEMPTS)} (%)", shares, 100.0),
-            Chart(f"{self._say(ReportKey.REACTION)} (s)", reactions, max(longest, 1.0)),
+            Chart(f"{self._say(ReportKey.REACTION)} (s)", reactions, float(ceil(longest))),
             Chart(f"{self._say(ReportKey.ASSISTANCE)} (0–5)", levels, 5.0),
         )
 
