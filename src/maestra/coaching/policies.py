@@ -217,7 +217,8 @@ def likelihood(policy: Adaptive, situation: Situation, level: int) -> float:
 def _least_sufficient(
     policy: Adaptive, situation: Situation, limits: Limits, chance: Chance
 ) -> tuple[int, Chance]:
-    rise = _RISE * (situation.attempt - 1) + _RISE_BY_STRAIN * policy.strain
+    failed = situation.attempt - 1 if situation.last is Outcome.WRONG else 0
+    rise = _RISE * failed + _RISE_BY_STRAIN * policy.strain
     target = min(policy.target + rise, _HIGHEST_TARGET)
     drawn: dict[int, float] = {}
     for level in range(limits.least, limits.most + 1):
