@@ -37,7 +37,7 @@ def verify(data: str | None, keys: str | None, *, as_json: bool) -> None:
                 "recovered": recovered,
                 "heads": heads,
             }
-            line = f"sound: {events} events, {signed} signed"
+            line = f"sound: {signed} of {events} events are signed"
             if recovered:
                 line += f", {recovered} of them only after a crash"
         case Tampered(finding, sequence):
@@ -59,14 +59,14 @@ def backup(file: str, keys_file: str | None, data: str | None, keys: str | None)
         count = backups.back_up(store, Path(file))
         if keys_file is not None:
             backups.back_up_keys(store, Path(keys_file))
-    print_lines([f"{file}: {count} rows"])
+    print_lines([f"{file}: rows: {count}"])
 
 
 def restore(file: str, keys_file: str | None, data: str | None, keys: str | None) -> None:
     """Restore a backup."""
     where = place(data, keys)
     restored = backups.restore(Path(file), where, None if keys_file is None else Path(keys_file))
-    line = f"{restored.events} events"
+    line = f"events: {restored.events}"
     if restored.left_out:
         line += f"; {restored.left_out} rows of erased patients left out"
     print_lines([line])
