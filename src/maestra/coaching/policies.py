@@ -49,14 +49,14 @@ MEMORY: Final = 24
 """Outcomes of a situation and level before they are halved."""
 
 _TARGETS: Final = MappingProxyType(
-    {Behaviour.CHALLENGING: 0.5, Behaviour.NEUTRAL: 0.55, Behaviour.HELPING: 0.6}
+    {Behaviour.CHALLENGING: 0.5, Behaviour.NEUTRAL: 0.55, Behaviour.HELPING: 0.75}
 )
 """How likely a first attempt should be right."""
 _RISE: Final = 0.2
 """By how much that rises with each attempt that failed."""
 _RISE_BY_STRAIN: Final = 0.15
 _HIGHEST_TARGET: Final = 0.9
-_NO_BETTER: Final = 0.15
+_NO_BETTER: Final = 0.1
 """A level that promises this much less than the best one is as good: it helps less."""
 _FIRST_RIGHT: Final[Mapping[Mental, tuple[int, ...]]] = MappingProxyType(
     {
