@@ -57,8 +57,6 @@ SYNONYMS: Final = Synonyms(
         "agafeu": ("agafa", "agafar", "preneu"),
         "formeu": ("forma", "formar", "feu"),
         "ompliu": ("omple", "omplir"),
-        "per sobre de": ("més grans que", "més grans de", "superiors a", "majors que"),
-        "per sota de": ("més petits que", "més petits de", "inferiors a", "menors que"),
         "de petit a gran": (
             "de menor a major",
             "de més petit a més gran",
@@ -173,6 +171,16 @@ SYNONYMS: Final = Synonyms(
         Predicate.SAME: (("ser", "de mateix {attribute} que {other}"),),
     },
     kinds={
+        Predicate.ABOVE: (
+            "{things} més grans que {k}",
+            "{things} més grans de {k}",
+            "{things} superiors a {k}",
+        ),
+        Predicate.BELOW: (
+            "{things} més petits que {k}",
+            "{things} més petits de {k}",
+            "{things} inferiors a {k}",
+        ),
         Predicate.ODD: ("senars", "senar", "{thing} senar", "imparells"),
         Predicate.EVEN: ("parells", "parell", "parelles", "parella", "{thing} parell"),
         Predicate.VOWEL: ("vocal",),

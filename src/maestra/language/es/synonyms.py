@@ -57,8 +57,6 @@ SYNONYMS: Final = Synonyms(
         "tome": ("toma", "tomar", "coja", "coge", "coger"),
         "forme": ("forma", "formar", "haga"),
         "llene": ("llena", "llenar", "rellene"),
-        "por encima de": ("mayores que", "mayores de", "superiores a"),
-        "por debajo de": ("menores que", "menores de", "inferiores a"),
         "de menor a mayor": (
             "de pequeño a grande",
             "de más pequeño a más grande",
@@ -184,6 +182,16 @@ SYNONYMS: Final = Synonyms(
         Predicate.SAME: (("ser", "de mismo {attribute} que {other}"),),
     },
     kinds={
+        Predicate.ABOVE: (
+            "{things} mayores que {k}",
+            "{things} mayores de {k}",
+            "{things} superiores a {k}",
+        ),
+        Predicate.BELOW: (
+            "{things} menores que {k}",
+            "{things} menores de {k}",
+            "{things} inferiores a {k}",
+        ),
         Predicate.ODD: ("impares", "impar", "{thing} impar"),
         Predicate.EVEN: ("pares", "par", "{thing} par"),
         Predicate.VOWEL: ("vocal",),

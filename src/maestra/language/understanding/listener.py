@@ -41,8 +41,10 @@ from maestra.rules.fitting import misfits
 from maestra.rules.rule import Rule
 from maestra.rules.rule_json import decode_rule, encode_rule
 
-MAX_SENTENCE: Final = 600
+MAX_SENTENCE: Final = 1_000
 """Characters of what is said at once: several rules, and read in seconds at worst."""
+MAX_WORDS: Final = 120
+"""Of one sentence that is read as a whole; of a longer one each clause is read alone."""
 MAX_CLAUSES: Final = 12
 """Parts between commas and "and" that are tried together, to find which one is not understood."""
 MAX_REMEMBERED: Final = 10_000
@@ -125,7 +127,7 @@ class Listener:
     def readings(self, sentence: str) -> list[tuple[Rule, ...]]:
         """The rules that `sentence` may say, the likeliest alone if one is likelier."""
         text = self.plainly.text(sentence)
-        if not text:
+        if not 0 < len(text.split()) <= MAX_WORDS:
             return []
         try:
             forest: object = self._parser.parse(text)
