@@ -69,7 +69,7 @@ CAREFUL = Adaptive((0, 0, 0, 0, 4, 4), 0.6)
 
 
 def test_the_numbers_are_those_of_the_reference() -> None:
-    chance, words = Chance(1234567), []
+    chance, words = Chance(1234567), list[int]()
     for _ in range(5):
         word, chance = chance.word()
         words.append(word)
@@ -191,16 +191,16 @@ def test_helpers_follow_one_another_and_a_robot_without_hands_is_none() -> None:
 @pytest.mark.parametrize(
     ("changes", "where"),
     [
-        ({"modalities": ()}, "modalities"),
+        ({"modalities": []}, "modalities"),
         ({"level": 4, "most_level": 3}, "level"),
-        ({"difficulty": Difficulty(3, 1), "hardest": Difficulty(2, 5)}, "difficulty"),
+        ({"hardest": {"digits": 1, "similarity": 5}}, "difficulty"),
     ],
 )
 def test_settings_that_contradict_one_another_are_refused(
     changes: dict[str, object], where: str
 ) -> None:
     with pytest.raises(InvalidError, match=where):
-        replace(Settings(), **changes)  # type: ignore[arg-type] # fields of settings
+        decode_settings({**encode_settings(Settings()), **changes})
 
 
 @pytest.mark.parametrize(
@@ -248,7 +248,7 @@ def test_whatever_was_learned_a_policy_keeps_to_the_limits(
     for situation, level, outcome in history:
         policy = learn(policy, situation, level, outcome)
     limits = Limits(min(one, other), max(one, other))
-    for situation, *_ in [*history, (FIRST,)]:
+    for situation in [FIRST, *(one for one, *_ in history)]:
         level, _ = choose(policy, situation, limits, Chance(seed))
         assert limits.least <= level <= limits.most
     assert decode_policy(json.loads(json.dumps(encode_policy(policy)))) == policy

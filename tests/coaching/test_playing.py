@@ -65,8 +65,8 @@ def begun(settings: Settings = FIXED, rows: frozenset[Row] = ASCENDING) -> Drive
     return driver
 
 
-def fixed(level: int, **changes: object) -> Settings:
-    return replace(FIXED, level=level, **changes)  # type: ignore[arg-type] # fields of settings
+def fixed(level: int) -> Settings:
+    return replace(FIXED, level=level)
 
 
 # ---------------------------------------------------------------- moves
@@ -104,10 +104,10 @@ def test_a_refused_move_has_its_reason_and_is_to_be_put_back() -> None:
     assert said(commands) == [CoachKey.REFUSED, CoachKey.PLEASE_PUT_BACK]
     (first, *_) = [c for c in commands if isinstance(c, Say)]
     assert first.arguments == {"reason": "It is not larger than the one on its left."}
-    assert driver.session.waiting is not None
+    assert driver.astray() == (token(21),)
     commands = driver.home(21)
     assert said(commands)[0] is CoachKey.THANKS_FOR_PUTTING_BACK
-    assert driver.session.waiting is None
+    assert driver.astray() == ()
     assert said(driver.move(3, 1, 1)) == [CoachKey.PRAISE_OWN_CORRECTION]
 
 

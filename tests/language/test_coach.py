@@ -9,7 +9,6 @@ from typing import get_args, get_type_hints
 
 import pytest
 
-from maestra.coaching import settings as settings_module
 from maestra.coaching.settings import Profile, Settings
 from maestra.core.board import Board, Cell, Column, Row
 from maestra.language import Language
@@ -83,7 +82,7 @@ def test_each_question_to_a_caregiver_is_a_sentence(key: AskKey, language: Langu
 def enums_of_settings() -> list[tuple[str, type[Enum]]]:
     found: list[tuple[str, type[Enum]]] = []
     for kind in (Profile, Settings):
-        for name, hint in get_type_hints(kind, vars(settings_module)).items():
+        for name, hint in get_type_hints(kind).items():
             parts = (hint, *get_args(hint))
             kinds = (part for part in parts if isinstance(part, type))
             found += [(name, part) for part in kinds if issubclass(part, Enum)]

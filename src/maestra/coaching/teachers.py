@@ -96,9 +96,13 @@ class GroundedTeacher:
         same = summarise(self.exercise).check is Check.SAME
         return Understood(tuple(one.text for one in sentences), same, None)
 
-    @cached_property
+    @property
     def exercise(self) -> GroundedExercise:
         """Preconditions for each token and step."""
+        return self._learned
+
+    @cached_property
+    def _learned(self) -> GroundedExercise:
         return learn_grounded(self.plays)
 
 

@@ -301,7 +301,8 @@ def _kept(
         columns = [record.get(name) for name in Sat.__dataclass_fields__]
         match record:
             case {"profile": str(profile), "policy": str(policy), "patient": int(number)} if all(
-                isinstance(column, list) and len(column) == SESSIONS_EACH for column in columns
+                isinstance(column, list) and len(cast("list[object]", column)) == SESSIONS_EACH
+                for column in columns
             ):
                 rows = zip(*cast("list[list[int]]", columns), strict=True)
                 done[profile, policy, number] = tuple(Sat(bool(one), *more) for one, *more in rows)
