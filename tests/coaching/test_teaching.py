@@ -38,6 +38,7 @@ from maestra.rules.answers import Reply
 from maestra.rules.exercise import GroundedExercise, RuledExercise
 from tests.coaching.driving import fields_of, noted, said
 from tests.coaching.plain_referee import BOARD, DECK, START, TOKENS, cell, token
+from tests.coaching.test_any_lesson import SlowTeacher
 
 
 @dataclass
@@ -249,3 +250,17 @@ def test_a_teacher_that_asks_nothing_ignores_answers() -> None:
     lesson = Class.begun()
     lesson.show(3, 8, 21)
     assert isinstance(lesson.lesson.teacher.exercise, GroundedExercise)
+
+
+def test_forgetting_before_anything_was_moved_changes_nothing() -> None:
+    lesson = Class.begun()
+    assert said(lesson.feed(Skipped())) == [CoachKey.FORGOTTEN]
+    assert lesson.stage() is Stage.SHOWING
+
+
+def test_once_all_is_clear_no_other_play_is_asked_for() -> None:
+    shown = Demonstration(DECK, START, ())
+    lesson = Class.begun(SlowTeacher(plays=(shown, shown)))
+    commands = lesson.show(3, 8, 21)
+    assert CoachKey.SHOW_ANOTHER not in said(commands)
+    assert said(lesson.feed(EndOrdered())) == [CoachKey.LEARNED]
