@@ -111,7 +111,11 @@ def test_a_prompt_comes_when_it_is_due_at_a_terminal(monkeypatch: pytest.MonkeyP
         session = None
 
     waited = iter([0, 10_000_000])
-    monkeypatch.setattr(playing, "due", lambda _session: next(waited, None))
+
+    def due(_session: object) -> int | None:
+        return next(waited, None)
+
+    monkeypatch.setattr(playing, "due", due)
     empty = iter([queue.Empty(), None])
 
     def get(_self: queue.Queue[str | None], timeout: float | None = None) -> str | None:
