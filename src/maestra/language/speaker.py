@@ -34,7 +34,7 @@ from maestra.language.phrases import (
     ValueNamed,
     say,
 )
-from maestra.language.templates import Spoken, fill, slots
+from maestra.language.templates import Gender, Spoken, fill, slots
 from maestra.language.tongue import AttributeWords, Grammar, Naming, VerbForms, Words, inflect
 from maestra.language.wordings import ORIGINS
 
@@ -307,7 +307,11 @@ class Speaker:
     def _kind(self, predicate: Predicate, parts: Mapping[str, Phrase]) -> Spoken:
         plural = replace(self.grammar.token, many=True)
         template = self.words.kinds[self._sayable(predicate, parts)]
-        return Spoken(self._rest(template, parts, plural, predicate), many=True)
+        text = self._rest(template, parts, plural, predicate)
+        if "things" in slots(template):
+            return Spoken(text, gender=self.spoken(parts["things"]).gender, many=True)
+        multiples = predicate is Predicate.MULTIPLE_OF
+        return Spoken(text, gender=Gender.MASCULINE if multiples else plural.gender, many=True)
 
     def _things(self, attribute: str) -> Spoken:
         """What tokens are called that show `attribute` and nothing else."""
