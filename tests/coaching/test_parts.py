@@ -31,6 +31,7 @@ from maestra.coaching.policies import (
     rested,
 )
 from maestra.coaching.remembered import Remembered, read_remembered, write_remembered
+from maestra.coaching.session import Tally, new_session
 from maestra.coaching.settings import (
     Hand,
     Helper,
@@ -50,7 +51,7 @@ from maestra.core.json_lines import FormatError
 from maestra.core.tokens import Deck, Token, TokenId
 from maestra.rules.paper import LETTER_DECK, NUMBER_DECK
 from maestra.rules.position import Position
-from tests.coaching.plain_referee import ASCENDING, START, PlainReferee, cell, token
+from tests.coaching.plain_referee import ASCENDING, START, PlainReferee, cell, game, token
 
 seeds = st.integers(0, 2**64 - 1)
 profiles = st.builds(
@@ -339,3 +340,19 @@ def test_a_short_reach_prefers_what_lies_near_and_beside_the_hand(seed: int, han
     row = hint(referee, position, 2, profile, Chance(seed))
     assert isinstance(row, InThisRow)
     assert row.cells == (cell(2, 1), cell(2, 2), cell(2, 3))
+
+
+def test_tokens_get_harder_after_right_first_attempts_and_easier_after_others() -> None:
+    settings = Settings(easiest=Difficulty(1, 1), hardest=Difficulty(3, 5))
+    known = Remembered(settings)
+    session = new_session(game(settings))
+    well = replace(session, tally=Tally(moves=5, first_time=5))
+    harder = known.after(well)
+    assert harder.quarters == known.staircase.quarters + 5
+    assert harder.settings.difficulty == Difficulty(2, 2)
+    assert harder.staircase.quarters == harder.quarters
+    badly = replace(session, tally=Tally(moves=5, first_time=2))
+    assert harder.after(badly).settings.difficulty == Difficulty(1, 4)
+    assert read_remembered(write_remembered(harder).encode()) == harder
+    changed = replace(harder, settings=replace(settings, difficulty=Difficulty(1, 1)))
+    assert changed.staircase.quarters == 0

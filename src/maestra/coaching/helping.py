@@ -30,8 +30,6 @@ SHOWN_LEVEL: Final = 4
 """At which the robot shows the token itself."""
 LONG_SILENCE: Final = 3
 """Unanswered prompts at one move after which the caregiver is asked."""
-SILENCES_A_TRY: Final = 2
-"""Unanswered prompts that count as one failed attempt: silence is often but a lapse."""
 MOST_STRETCHES: Final = 3
 """By how many halves of itself the patience of a human-centred robot grows."""
 
@@ -55,8 +53,7 @@ def consult(turn: Turn, why: str = POLICY) -> None:
     waits = settings.persona is Persona.HUMAN_CENTRED and step.last is Outcome.SILENCE
     if waits and step.silent == 1:
         level = min(level, 1)
-    tries = step.wrong + step.silent // SILENCES_A_TRY
-    if settings.errorless or tries >= settings.attempts:
+    if settings.errorless or step.attempt > settings.attempts:
         level = max(level, SHOWN_LEVEL)
     turn.change(situation=situation)
     give(turn, limits.clamp(level), why)
