@@ -8,7 +8,7 @@ import pytest
 
 from maestra.coaching.ports import PatientId
 from maestra.storage.opening import DATA_VARIABLE, KEYS_VARIABLE, open_store, place
-from tests.cli.running import maestra
+from tests.cli.running import learned, maestra
 from tests.storage.played import keep_session
 
 
@@ -173,3 +173,19 @@ def test_a_report_is_written_as_page_pictures_and_data(kept: Path) -> None:
     (exercise,) = json.loads(ran.out)["exercises"]
     assert len(exercise["sessions"]) == 4
     assert set(exercise["trends"]) == {"first_attempts", "reaction", "assistance"}
+
+
+def test_a_session_that_was_played_is_verified_reported_exported_and_erased(kept: Path) -> None:
+    exercise = learned(kept, "ascending")
+    arguments = ("play", exercise, "--patient", "dunlin", "--seed", "3", "--quiet")
+    ran = maestra(*arguments, typed=b"19\n23\n34\nhint\nquit\n")
+    assert ran.err == ""
+    assert maestra("store", "verify").code == 0
+    (found,) = json.loads(maestra("report", "dunlin", "--json").out)["exercises"]
+    assert (found["exercise"], found["sessions"][0]["steps"]) == ("ascending", 3)
+    exported = maestra("store", "export", "--format", "jsonl", "--patient", "dunlin", "-o", "-")
+    rows = [json.loads(line) for line in exported.out.splitlines()]
+    assert [row["row"] for row in rows if row["type"] == "move"] == [1, 1, 1]
+    assert {row["seed"] for row in rows} == {3}
+    assert maestra("patients", "erase", "dunlin", "--yes").code == 0
+    assert "dunlin" not in maestra("store", "export", "-o", "-").out
