@@ -44,6 +44,7 @@ def test_finished_patients_are_kept_and_not_played_again(tmp_path: Path) -> None
     done: list[int] = []
     assert coaching_runs(1, 1, 1, kept, done.append) == runs
     assert done[0] == 4
+    assert coaching_runs(1, 1, 1, kept) == runs
     assert coaching_runs(1, 1, 1) == runs
 
 
