@@ -8,6 +8,8 @@ from pydantic import BaseModel
 from pydantic.json_schema import GenerateJsonSchema, JsonSchemaValue
 from pydantic_core import core_schema
 
+from maestra.coaching.recording import SESSION_FORMAT, StartJson
+from maestra.coaching.remembered import SETTINGS_FORMAT, SettingsJson
 from maestra.core.formats import DEMONSTRATION_FORMAT, DemonstrationJson
 from maestra.language.lexicon_format import WORDS_FORMAT, WordsJson
 from maestra.rules.exercise_format import EXERCISE_FORMAT, ExerciseJson
@@ -18,6 +20,8 @@ MODELS: Final[dict[str, type[BaseModel]]] = {
     DEMONSTRATION_FORMAT: DemonstrationJson,
     EXERCISE_FORMAT: ExerciseJson,
     RULES_FORMAT: RulesJson,
+    SESSION_FORMAT: StartJson,
+    SETTINGS_FORMAT: SettingsJson,
     WORDS_FORMAT: WordsJson,
 }
 """Each format with the model that reads it."""

@@ -13,8 +13,10 @@ from maestra.core.board import Board, Cell, Column, Row
 from maestra.core.state import State
 from maestra.core.tokens import Deck, Token, TokenId
 from maestra.language import NO_LEXICON, Language
+from maestra.learning.fewshot.lesson import Status
 from maestra.rules.position import Position
 from tests.cli.running import maestra
+from tests.learning.scripts import AMBIGUOUS, LEARNED, scripted, slip
 
 ENGLISH = Speech(Language.EN, NO_LEXICON)
 LETTERS = "8"
@@ -23,12 +25,12 @@ LETTERS = "8"
 class Session:
     """A session, typed line by line; chance is the number of the line."""
 
-    def __init__(self, *lines: str, speech: Speech = ENGLISH) -> None:
+    def __init__(self, *lines: str, speech: Speech = ENGLISH, by_few: bool = False) -> None:
         """Type `lines`."""
         self.speech = speech
         self.stage: Stage
         self.outputs: tuple[Output, ...]
-        self.stage, self.outputs = begin(speech)
+        self.stage, self.outputs = begin(speech, by_few=by_few)
         self.typed = 0
         self.type(*lines)
 
@@ -416,3 +418,57 @@ def test_control_c_ends_the_session_on_a_line_of_its_own(monkeypatch: pytest.Mon
     ran = maestra("demo", "--seed", "1")
     assert (ran.code, ran.err) == (130, "")
     assert ran.out.endswith("\n\n")
+
+
+def by_few(*lines: str) -> Session:
+    return Session(*lines, by_few=True)
+
+
+def test_who_learns_by_few_says_how_sure_it_is(monkeypatch: pytest.MonkeyPatch) -> None:
+    scripted(monkeypatch, LEARNED)
+    said = by_few("2", "show me").said
+    assert "+ Each token must be larger than the one on its left." in said
+    assert "I am 98 % sure of this." in said
+
+
+def test_who_learns_by_few_asks_before_the_user_plays(monkeypatch: pytest.MonkeyPatch) -> None:
+    scripted(monkeypatch, AMBIGUOUS, LEARNED)
+    session = by_few("2", "show me", "play")
+    assert "Is this row right: 1, 2, 9?" in session.said
+    assert session.type("perhaps").said == ["Sorry, I did not understand that."]
+    session.type("yes")
+    assert isinstance(session.stage, Playing)
+    assert session.said[-1] == "Your turn. I say of each move whether it is right."
+    assert len(session.stage.taught.answers) == 1
+    assert session.type("85", "hint").said
+
+
+def test_who_is_sure_asks_nothing(monkeypatch: pytest.MonkeyPatch) -> None:
+    scripted(monkeypatch, LEARNED)
+    session = by_few("2", "show me 2", "play")
+    assert isinstance(session.stage, Playing)
+
+
+def test_a_user_who_takes_everything_back_begins_again(monkeypatch: pytest.MonkeyPatch) -> None:
+    scripted(monkeypatch, (Status.LEARNED, (slip(0),)))
+    session = by_few("2", "show me", "play", "no")
+    assert isinstance(session.stage, Teaching)
+    assert session.stage.taught.shown == ()
+    assert session.said[0] == "Nothing is left to learn from. Please show me again."
+
+
+@pytest.mark.parametrize(("line", "stage"), [("quit", Ended), ("menu", Choosing)])
+def test_questions_can_be_left(
+    line: str, stage: type[Stage], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    scripted(monkeypatch, AMBIGUOUS)
+    session = by_few("2", "show me", "play", line)
+    assert isinstance(session.stage, stage)
+    if isinstance(session.stage, Choosing):
+        assert session.stage.by_few
+
+
+def test_planning_takes_too_long_for_a_session() -> None:
+    ran = maestra("demo", "--learner", "compiled")
+    assert (ran.code, ran.out) == (2, "")
+    assert "grounded or fewshot" in ran.err

@@ -6,7 +6,17 @@ import sys
 
 import pytest
 
-HEAVY = {"clingo", "joblib", "numpy", "pddl", "rich", "maestra.core", "maestra.rules"}
+HEAVY = {
+    "clingo",
+    "cryptography",
+    "joblib",
+    "numpy",
+    "pddl",
+    "rich",
+    "sqlalchemy",
+    "maestra.core",
+    "maestra.rules",
+}
 PROBE = """
 import json, sys
 from maestra.cli.program import run

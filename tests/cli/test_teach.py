@@ -15,6 +15,7 @@ from maestra.core.formats import decode_demonstration, encode_demonstration
 from maestra.learning import dialogue
 from maestra.learning.dialogue import MAX_QUESTIONS
 from maestra.learning.fewshot.lesson import Lesson
+from maestra.rules.exercise import LearnStatus
 from maestra.rules.answers import MoveQuestion, Question, Reply, RowQuestion, RuleQuestion
 from maestra.rules.exercise import LearnStatus, RuledExercise
 from maestra.rules.exercise_format import decode_exercise, encode_exercise
@@ -312,7 +313,7 @@ TYPED = [
     (b"n\nneither\n", AMBIGUOUS, ["abe", "cde"], (Reply.UNSURE,)),
     (b"n\n2\n", AMBIGUOUS, ["abe", "cde"], (Reply.NO,)),
     (b"no\nu\n", OUTSIDE, ["abc"], (Reply.NO,)),
-    (b"y\n", (LearnStatus.LEARNED, (slip(0),)), ["cba"], ()),
+    (b"y\n", (LearnStatus.LEARNED, (slip(0),)), ["abc"], (Reply.YES,)),
     (b"again\n", (LearnStatus.LEARNED, (slip(0),)), ["cba"], ()),
     (b"again\n1 2 3 5\n1, 2, 5\n", (LearnStatus.LEARNED, (slip(0),)), ["cba"], ()),
     (b"", AMBIGUOUS, ["abc"], ()),

@@ -12,7 +12,7 @@ from maestra.coaching.notes import Note
 from maestra.coaching.playing import step
 from maestra.coaching.policies import Policy
 from maestra.coaching.session import Game, Session, due, new_session
-from maestra.core.board import Cell
+from maestra.core.tokens import TokenId
 from maestra.language.coach_keys import CoachKey
 from tests.coaching.plain_referee import cell, token
 
@@ -52,8 +52,8 @@ class Driver:
         assert at is not None
         return self.feed(TimePassed(), at - self.session.now)
 
-    def place(self, value: int) -> Cell:
-        return self.session.table.cells[token(value)]
+    def astray(self) -> tuple[TokenId, ...]:
+        return self.session.table.astray(self.session.position.now)
 
 
 def said(commands: Iterable[Command]) -> list[CoachKey]:

@@ -9,7 +9,8 @@ from itertools import permutations
 from maestra.coaching.referee import Refused, Right, Ruling
 from maestra.coaching.session import Game
 from maestra.coaching.settings import Settings
-from maestra.core.board import Board, Cell, Column, Row
+from maestra.core.board import Board, Cell, Column
+from maestra.core.board import Row as BoardRow
 from maestra.core.state import Move, State
 from maestra.core.tokens import Deck, Token, TokenId
 from maestra.language import Language
@@ -17,15 +18,15 @@ from maestra.language.languages import speaker_for
 from maestra.language.speaker import Speaker
 from maestra.rules.position import Position
 
-BOARD = Board(3, 3, Row(1))
+BOARD = Board(3, 3, BoardRow(1))
 VALUES = (3, 5, 8, 13, 21)
 DECK = Deck(tuple(Token(TokenId(f"t{value}"), (("value", value),)) for value in VALUES))
 TOKENS = tuple(token.id for token in DECK.tokens)
-Row_ = tuple[TokenId, ...]
+Row = tuple[TokenId, ...]
 
 
 def cell(row: int, column: int) -> Cell:
-    return Cell(Row(row), Column(column))
+    return Cell(BoardRow(row), Column(column))
 
 
 def start(cells: Sequence[Cell] = BOARD.storage_cells[: len(VALUES)]) -> State:
@@ -40,7 +41,7 @@ def token(value: int) -> TokenId:
     return TokenId(f"t{value}")
 
 
-def row_of(*values: int) -> Row_:
+def row_of(*values: int) -> Row:
     return tuple(map(token, values))
 
 
@@ -52,14 +53,14 @@ ONE_OR_TWO_RISING = frozenset(
     if row == tuple(sorted(row))
 )
 ANYTHING = frozenset(row_of(*row) for row in permutations(VALUES, 3))
-NOTHING: frozenset[Row_] = frozenset()
+NOTHING: frozenset[Row] = frozenset()
 
 
 @dataclass(frozen=True)
 class PlainReferee:
     """Right is what begins, from the left, a row that is listed."""
 
-    rows: frozenset[Row_]
+    rows: frozenset[Row]
     rules: tuple[str, ...] = (
         "Each token must be larger than the one on its left.",
         "This is a sentence about the rule that is much too long for any patient to follow.",
@@ -95,7 +96,7 @@ class PlainReferee:
 
 def game(
     settings: Settings | None = None,
-    rows: frozenset[Row_] = ASCENDING,
+    rows: frozenset[Row] = ASCENDING,
     seed: int = 1,
     language: Language = Language.EN,
 ) -> Game:

@@ -28,7 +28,7 @@ BY_HAND: Final = {
     ("docs/tutorial/teach.md", "$ maestra teach shown.jsonl -o ascending.json"): (
         "waits for a person"
     ),
-    ("docs/tutorial/teach.md", "$ maestra exam curie.json"): "waits for a person",
+    ("docs/tutorial/teach.md", "$ maestra exam letters.json"): "waits for a person",
     ("README.md", "$ make test"): "runs this very test",
     ("CONTRIBUTING.md", "$ make setup"): "changes the environment the tests run in",
     ("CONTRIBUTING.md", "$ make test"): "runs this very test",

@@ -39,6 +39,7 @@ from maestra.learning.dialogue import (
     step,
 )
 from maestra.learning.fewshot.lesson import Lesson
+from maestra.rules.exercise import LearnStatus
 from maestra.learning.fewshot.questions import QuestionKind
 from maestra.rules.answers import Answer, Reply
 from maestra.rules.exercise import LearnStatus
@@ -237,36 +238,25 @@ def test_without_budget_a_contradiction_is_left_and_named(script: Install) -> No
 
 
 def test_a_likely_mistake_is_asked_about_once(script: Install) -> None:
-    learner = script((LearnStatus.LEARNED, (slip(1),)))
-    taught = begin([small("abc"), small("bac")])
+    script((LearnStatus.LEARNED, (slip(1),)))
+    taught = begin([small("abc"), small("abd")])
     assert taught.ask == AskSlip(slip(1))
     taught = step(taught, SlipReplied(SlipReply.CONFIRMED))
-    assert taught.confirmed == {1}
-    assert learner.confirmed == [set(), {1}]
+    assert taught.answers == (Answer(row("abd"), Reply.YES),)
     assert taught.counting == (0, 1)
+    assert taught.asked == 0
     assert taught.ask == Finished(Ending.SURE, ())
+    again = begin([small("abc"), small("abd")], taught.answers)
+    assert again.ask == Finished(Ending.SURE, ())
 
 
-def test_what_was_confirmed_stays_so_when_another_is_taken_back(script: Install) -> None:
-    learner = script((LearnStatus.LEARNED, (slip(1), slip(0))))
-    taught = begin([small("bac"), small("cab"), small("abc")])
-    taught = step(taught, SlipReplied(SlipReply.CONFIRMED))
-    assert taught.ask == AskSlip(slip(0))
-    taught = step(taught, SlipReplied(SlipReply.TAKEN_BACK))
-    # The second that was shown is now the first that counts.
-    assert learner.confirmed[-1] == {0}
-    assert learner.shown[-1] == ("cab", "abc")
-
-
-def test_a_confirmed_demonstration_is_learned_from_as_it_was_shown() -> None:
-    shown = [small("abd"), small("ace", 1), small("bde", 2), small("acd", 3), small("cba", 4)]
-    taught = begin(shown)
-    assert isinstance(taught.ask, AskSlip)
-    assert taught.ask.slip.demonstration == 4
-    assert RISING in taught.lesson.rules
-    meant = step(taught, SlipReplied(SlipReply.CONFIRMED))
-    assert meant.lesson.slips == ()
-    assert RISING not in meant.lesson.rules
+def test_what_was_meant_against_all_rules_is_put_beside_them(script: Install) -> None:
+    script((LearnStatus.LEARNED, (slip(1),)))
+    taught = talk(begin([small("abc"), small("bac")]), SlipReplied(SlipReply.CONFIRMED))
+    assert taught.ask == AskWhichCounts(Contradiction(Understood(), Said(0)))
+    assert step(taught, Counts(Side.EARLIER)).ask == Finished(Ending.SURE, ())
+    insisting = step(taught, Counts(Side.LATER))
+    assert insisting.status is LearnStatus.CONTRADICTORY
 
 
 def test_a_demonstration_that_is_taken_back_does_not_count(script: Install) -> None:
@@ -287,6 +277,7 @@ def test_who_takes_everything_back_is_left_with_nothing(script: Install) -> None
     script((LearnStatus.LEARNED, (slip(0),)))
     taught = talk(begin([small("abc")]), SlipReplied(SlipReply.TAKEN_BACK))
     assert taught.ask == Finished(Ending.NOTHING_LEFT, ())
+    assert taught.status is LearnStatus.AMBIGUOUS
 
 
 def test_who_knows_only_questions_is_not_asked_about_mistakes(script: Install) -> None:
@@ -364,8 +355,9 @@ class Teaching(RuleBasedStateMachine):
             case Finished(_, unsettled):
                 assert set(unsettled) == set(after.contradictions)
             case _:
+                put = after.put.contradictions
                 out_of_budget = after.asked >= after.terms.questions
-                assert new <= after.put or out_of_budget
+                assert new <= put or out_of_budget
 
     @precondition(lambda self: isinstance(self.dialogue.ask, AskQuestion | AskAgain))
     @rule(reply=st.sampled_from(Reply))

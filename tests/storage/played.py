@@ -13,7 +13,7 @@ from maestra.coaching.patients import patient_of
 from maestra.coaching.playing import step
 from maestra.coaching.ports import NewEntry, PatientId, SessionId, Store, StoredSession
 from maestra.coaching.session import new_session
-from maestra.coaching.settings import Mental, Profile, settings_for, write_settings
+from maestra.coaching.settings import Mental, Profile, encode_settings, settings_for
 from maestra.coaching.simulation import Simulation
 from tests.coaching.plain_referee import game
 
@@ -31,7 +31,7 @@ def keep_session(
     session = SessionId(f"{patient}-{number}")
     begun = BEGUN + timedelta(days=number)
     kept = StoredSession(
-        session, patient, "ascending", 1, write_settings(settings), begun.isoformat()
+        session, patient, "ascending", 1, json.dumps(encode_settings(settings)), begun.isoformat()
     )
     store.save_session(kept)
     start = {"seed": number, "maestra": __version__}

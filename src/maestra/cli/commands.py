@@ -10,7 +10,7 @@ from typing import Annotated, Final
 import typer
 
 from maestra import __version__
-from maestra.cli import experiment, record_commands, teach_commands
+from maestra.cli import experiment, record_commands, teach_commands, tell_commands
 from maestra.cli.options import ExerciseFile, Json, Lang, LanguageName, Words
 
 _HELP: Final = """Teach a tabletop exercise by showing it, read its rules, judge plays of it.
@@ -149,6 +149,8 @@ def learn(
 
 app.command()(teach_commands.teach)
 app.command()(teach_commands.exam)
+app.command()(tell_commands.tell)
+app.command()(tell_commands.edit)
 
 
 @app.command()

@@ -7,8 +7,10 @@ from dataclasses import dataclass, replace
 from random import Random
 from typing import Final, TypeAlias, assert_never
 
+from maestra.cli.demo_asking import answered, asked, replied
 from maestra.cli.demo_stages import (
     SUBJECTS,
+    Asking,
     Choosing,
     Ended,
     Playing,
@@ -17,17 +19,17 @@ from maestra.cli.demo_stages import (
     Taught,
     Teaching,
 )
+from maestra.cli.demo_table import Table
 from maestra.cli.demo_telling import moves_of, new_rules, understood
 from maestra.cli.demo_words import Command, Unclear, Wish, Word, understand
 from maestra.cli.drawing import label
 from maestra.cli.lesson import Speech
 from maestra.cli.outputs import Drawn, Output, Said, Tone
-from maestra.core.board import Cell
 from maestra.core.demonstration import Demonstration
-from maestra.core.state import Move, State
-from maestra.core.tokens import Deck, TokenId
+from maestra.core.tokens import Deck
 from maestra.language import reason
 from maestra.language.terminal import TerminalKey as Key
+from maestra.learning.dialogue import Finished
 from maestra.rules.position import Position
 from maestra.rules.verdicts import JudgedMove
 
@@ -40,10 +42,10 @@ Step: TypeAlias = tuple[Stage, tuple[Output, ...]]
 """The next stage, and what to say and show now."""
 
 
-def begin(speech: Speech) -> Step:
-    """The first stage."""
+def begin(speech: Speech, *, by_few: bool = False) -> Step:
+    """The first stage; `by_few` says how to learn."""
     welcome = Said(speech.say(Key.WELCOME), Tone.HEADING)
-    return Choosing(), (welcome, *_menu(speech))
+    return Choosing(by_few), (welcome, *_menu(speech))
 
 
 def step(stage: Stage, line: str, chance: int, speech: Speech) -> Step:
@@ -59,9 +61,11 @@ def step(stage: Stage, line: str, chance: int, speech: Speech) -> Step:
         return stage, ()
     match stage:
         case Choosing():
-            return _choose(line, chance, speech)
+            return _choose(stage, line, chance, speech)
         case Teaching():
             return _Teacher(stage, _dealer(chance), speech).step(line)
+        case Asking():
+            return _reply(stage, line, chance, speech)
         case Playing():
             return _Player(stage, _dealer(chance), speech).step(line)
         case Ended():
@@ -87,20 +91,20 @@ def _menu(speech: Speech) -> tuple[Output, ...]:
     return (Said(speech.say(Key.WHICH_EXERCISE)), *titles)
 
 
-def _choose(line: str, chance: int, speech: Speech) -> Step:
+def _choose(stage: Choosing, line: str, chance: int, speech: Speech) -> Step:
     match understand(line, speech.language):
         case Command(Word.QUIT):
             return end(speech)
         case Command(Word.HELP):
             text = speech.say(Key.HELP_CHOOSING, quit=speech.say(Key.TYPE_QUIT))
-            return Choosing(), (Said(text),)
+            return stage, (Said(text),)
         case Command(Word.MENU):
-            return Choosing(), _menu(speech)
+            return stage, _menu(speech)
         case Wish(number, None) if number.isdecimal() and 1 <= int(number) <= len(SUBJECTS):
             subject = SUBJECTS[int(number) - 1]
-            return _teach(Taught(subject), _dealer(chance), speech)
+            return _teach(Taught(subject, by_few=stage.by_few), _dealer(chance), speech)
         case _:
-            return Choosing(), (Said(speech.say(Key.PLEASE_CHOOSE, last=len(SUBJECTS))),)
+            return stage, (Said(speech.say(Key.PLEASE_CHOOSE, last=len(SUBJECTS))),)
 
 
 def _teach(taught: Taught, chance: Random, speech: Speech) -> Step:
@@ -127,6 +131,27 @@ def _play(taught: Taught, chance: Random, speech: Speech) -> Step:
     return Playing(taught, Position.begin(start)), (turn, Drawn(start, subject.deck))
 
 
+def _reply(stage: Asking, line: str, chance: int, speech: Speech) -> Step:
+    """A reply to what is asked, or away from here."""
+    match understand(line, speech.language):
+        case Command(Word.QUIT):
+            return end(speech)
+        case Command(Word.MENU):
+            return Choosing(stage.taught.by_few), _menu(speech)
+        case _:
+            return _ask(*replied(stage, line, speech), _dealer(chance), speech)
+
+
+def _ask(asking: Asking, outputs: tuple[Output, ...], chance: Random, speech: Speech) -> Step:
+    """Ask on; when nothing more is asked, play by what is known then."""
+    if not isinstance(asking.dialogue.ask, Finished):
+        return asking, outputs
+    taught = answered(asking)
+    step = _play if taught.shown else _teach
+    stage, begun = step(taught, chance, speech)
+    return stage, (*outputs, *begun)
+
+
 def _nth(taught: Taught, speech: Speech) -> Said:
     number = len(taught.shown) + 1
     return Said(speech.say(Key.NTH_DEMONSTRATION, number=number), Tone.HEADING)
@@ -134,41 +159,6 @@ def _nth(taught: Taught, speech: Speech) -> Said:
 
 def _example(deck: Deck) -> str:
     return label(deck.tokens[0])
-
-
-@dataclass(frozen=True, slots=True)
-class _Table:
-    """What lies on the table, and moves on it as they are typed."""
-
-    state: State
-    deck: Deck
-    speech: Speech
-
-    def move(self, wish: Wish) -> Move | Said:
-        """The move that is wished for, or why it cannot be made."""
-        token = self._named(wish.token)
-        if token is None:
-            return Said(self.speech.say(Key.UNKNOWN_TOKEN, token=wish.token))
-        origin = self.state.cells[token]
-        goals = self.state.board.goal_cells
-        if origin in goals:
-            name = label(self.deck.by_id[token])
-            return Said(self.speech.say(Key.ALREADY_THERE, token=name))
-        destination = self._destination(wish.column, goals)
-        return destination if isinstance(destination, Said) else Move(token, origin, destination)
-
-    def _destination(self, column: int | None, goals: tuple[Cell, ...]) -> Cell | Said:
-        empty = [cell for cell in goals if cell not in self.state.tokens]
-        if column is None:
-            return empty[0] if empty else Said(self.speech.say(Key.ROW_IS_FULL))
-        if not 1 <= column <= len(goals):
-            return Said(self.speech.say(Key.NO_SUCH_COLUMN, last=len(goals)))
-        goal = goals[column - 1]
-        return goal if goal in empty else Said(self.speech.say(Key.TAKEN, column=column))
-
-    def _named(self, typed: str) -> TokenId | None:
-        found = (one.id for one in self.deck.tokens if label(one).casefold() == typed)
-        return next(found, None)
 
 
 @dataclass(frozen=True, slots=True)
@@ -202,25 +192,32 @@ class _Teacher:
                 return self.done()
             case Word.SHOW:
                 return self._show(count)
-            case Word.PLAY if not self.taught.shown:
-                return self._stay(Said(self.speech.say(Key.NOTHING_SHOWN)))
             case Word.PLAY:
-                return _play(self.taught, self.chance, self.speech)
+                return self._play()
             case Word.HELP:
                 return self._stay(_help(Key.HELP_TEACHING, self.taught.subject, self.speech))
             case Word.MENU:
-                return Choosing(), _menu(self.speech)
+                return Choosing(self.taught.by_few), _menu(self.speech)
             case Word.QUIT:
                 return end(self.speech)
             case Word.TEACH | Word.HINT:
                 return self._stay(_unknown(self.speech))
+
+    def _play(self) -> Step:
+        """Try it, once what is not clear was asked."""
+        if not self.taught.shown:
+            return self._stay(Said(self.speech.say(Key.NOTHING_SHOWN)))
+        if not self.taught.by_few:
+            return _play(self.taught, self.chance, self.speech)
+        asking = Asking(self.taught, self.taught.dialogue)
+        return _ask(asking, asked(asking, self.speech), self.chance, self.speech)
 
     def _stay(self, *said: Said) -> Step:
         return self.stage, said
 
     def _move(self, wish: Wish) -> Step:
         deck = self.taught.subject.deck
-        move = _Table(self.stage.state, deck, self.speech).move(wish)
+        move = Table(self.stage.state, deck, self.speech).move(wish)
         if isinstance(move, Said):
             return self._stay(move)
         stage = replace(self.stage, moves=(*self.stage.moves, move))
@@ -248,24 +245,23 @@ class _Teacher:
         subject = self.taught.subject
         if subject.right is None:
             return self._stay(Said(self.speech.say(Key.CANNOT_SHOW)))
-        shown = self.taught.shown
+        taught = self.taught
         outputs: list[Output] = []
         for number in range(min(count, MAX_AT_ONCE)):
-            play = subject.right_play(shown, self.chance)
+            play = subject.right_play(taught.shown, self.chance)
             if number:
-                outputs.append(_nth(Taught(subject, shown), self.speech))
+                outputs.append(_nth(taught, self.speech))
             outputs += moves_of(play, self.speech, one_by_one=count == 1)
-            shown = (*shown, play)
+            before, taught = taught, taught.with_shown(play)
             if number + 1 < min(count, MAX_AT_ONCE):
-                before = Taught(subject, shown[:-1])
-                outputs += new_rules(before, Taught(subject, shown), self.speech)
-        return self._learned(shown[len(self.taught.shown) :], tuple(outputs))
+                outputs += new_rules(before, taught, self.speech)
+        return self._learned(taught.shown[len(self.taught.shown) :], tuple(outputs))
 
     def _learned(self, shown: tuple[Demonstration, ...], outputs: tuple[Output, ...]) -> Step:
         """What is understood after `shown`, and the board for the next demonstration."""
-        taught = Taught(self.taught.subject, (*self.taught.shown, *shown))
+        taught = self.taught.with_shown(*shown)
         stage = Teaching(taught, taught.subject.start(self.chance))
-        before = Taught(taught.subject, taught.shown[:-1])
+        before = replace(taught, shown=taught.shown[:-1])
         play = self.speech.say(Key.TYPE_PLAY)
         return stage, (
             *outputs,
@@ -313,7 +309,7 @@ class _Player:
                 text = _help(Key.HELP_PLAYING, self.taught.subject, self.speech)
                 return self.stage, (text,)
             case Word.MENU:
-                return Choosing(), _menu(self.speech)
+                return Choosing(self.taught.by_few), _menu(self.speech)
             case Word.QUIT:
                 return end(self.speech)
             case Word.UNDO | Word.SHOW:
@@ -321,7 +317,7 @@ class _Player:
 
     def _move(self, wish: Wish) -> Step:
         stage, judge = self.stage, self.taught.judge
-        move = _Table(stage.state, self.taught.subject.deck, self.speech).move(wish)
+        move = Table(stage.state, self.taught.subject.deck, self.speech).move(wish)
         if isinstance(move, Said):
             return stage, (move,)
         judged = JudgedMove(stage.state, move, judge.verdict(stage.position, move))
@@ -338,7 +334,7 @@ class _Player:
         deck = self.taught.subject.deck
         token = label(deck.by_id[judged.move.token])
         speech = self.speech
-        why = reason(judged, self.taught.summary, deck, speech.language, speech.words)
+        why = reason(judged, self.taught.account, deck, speech.language, speech.words)
         return (
             Said(why, Tone.WRONG),
             Said(speech.say(Key.PUT_BACK, token=token)),

@@ -1,7 +1,7 @@
 """The guided session's stages: what has been chosen, shown and played so far."""
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 from random import Random
 from typing import Final, TypeAlias
@@ -11,14 +11,17 @@ from maestra.core.demonstration import Demonstration
 from maestra.core.state import Move, State
 from maestra.core.tokens import Deck
 from maestra.language.terminal import TerminalKey
+from maestra.learning.dialogue import Dialogue, begin
 from maestra.learning.grounded import learn_grounded
 from maestra.learning.suspects import doubts
-from maestra.rules.exercise import GroundedExercise
+from maestra.learning.taught import taught_exercise
+from maestra.rules.account import Account, account_of
+from maestra.rules.answers import Answer
+from maestra.rules.exercise import Exercise, RuledExercise
 from maestra.rules.judging import Judge
 from maestra.rules.paper import BOARD, LETTER_DECK, NUMBER_DECK, PAPER_EXERCISES
 from maestra.rules.position import Position
 from maestra.rules.right_plays import RightPlays
-from maestra.rules.summaries.summary import Summary, summarise
 
 
 @dataclass(frozen=True, slots=True)
@@ -72,6 +75,9 @@ SUBJECTS: Final = (
 class Choosing:
     """An exercise is to be chosen."""
 
+    by_few: bool = False
+    """Whether rules are learned from a few demonstrations, or actions as in the paper."""
+
 
 @dataclass(frozen=True)
 class Taught:
@@ -79,11 +85,30 @@ class Taught:
 
     subject: Subject
     shown: tuple[Demonstration, ...] = ()
+    by_few: bool = False
+    answers: tuple[Answer, ...] = ()
+    """What was replied to questions; only who learns by few asks any."""
+
+    def with_shown(self, *more: Demonstration) -> "Taught":
+        """The same with more demonstrations."""
+        return replace(self, shown=(*self.shown, *more))
 
     @cached_property
-    def exercise(self) -> GroundedExercise:
+    def dialogue(self) -> Dialogue:
+        """What would be asked about it, from at least one play."""
+        return begin(self.shown, self.answers)
+
+    @cached_property
+    def exercise(self) -> Exercise:
         """What was learned of what was shown, at least one play."""
+        if self.by_few:
+            return self.ruled
         return learn_grounded(self.shown, features=self.subject.features)
+
+    @cached_property
+    def ruled(self) -> RuledExercise:
+        """The same as rules, learned by few."""
+        return taught_exercise(self.dialogue.lesson)
 
     @cached_property
     def judge(self) -> Judge:
@@ -91,9 +116,9 @@ class Taught:
         return Judge(self.exercise, self.subject.deck)
 
     @cached_property
-    def summary(self) -> Summary:
+    def account(self) -> Account:
         """Its rules."""
-        return summarise(self.exercise)
+        return account_of(self.exercise)
 
 
 @dataclass(frozen=True, slots=True)
@@ -108,6 +133,14 @@ class Teaching:
     def state(self) -> State:
         """What lies where now."""
         return Demonstration(self.taught.subject.deck, self.start, self.moves).end
+
+
+@dataclass(frozen=True, slots=True)
+class Asking:
+    """The user is asked what is not clear yet, before playing."""
+
+    taught: Taught
+    dialogue: Dialogue
 
 
 @dataclass(frozen=True, slots=True)
@@ -128,4 +161,4 @@ class Ended:
     """The session is over."""
 
 
-Stage: TypeAlias = Choosing | Teaching | Playing | Ended
+Stage: TypeAlias = Choosing | Teaching | Asking | Playing | Ended

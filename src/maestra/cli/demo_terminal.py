@@ -15,12 +15,12 @@ from maestra.language.terminal import TerminalKey
 _MAX_CHANCE: Final = 2**32
 
 
-def play(language: str | None, seed: int | None) -> None:
+def play(language: str | None, seed: int | None, *, by_few: bool) -> None:
     """Lead the session until its end or the end of what is typed."""
     speech = Speech(own_language() if language is None else Language(language), NO_LEXICON)
     chance = random.Random(seed)  # noqa: S311 - it deals tokens
     screen = Screen(speech.say(TerminalKey.GOAL))
-    stage, outputs = begin(speech)
+    stage, outputs = begin(speech, by_few=by_few)
     screen.show(outputs)
     for line in screen.lines():
         stage, outputs = step(stage, line, chance.randrange(_MAX_CHANCE), speech)

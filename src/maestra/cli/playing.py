@@ -123,7 +123,7 @@ class _Session:
     def __init__(self, wanted: Wanted, exercise: Exercise, store: Store) -> None:
         self._wanted, self._store = wanted, store
         self._patient = PatientId(wanted.patient)
-        known = self._known()
+        self._knew = known = self._known()
         settings = known.settings
         seed = time.time_ns() % 2**64 if wanted.seed is None else wanted.seed
         deck, state = _laid_out(exercise, settings, Chance(seed))
@@ -261,7 +261,7 @@ class _Session:
             known = Remembered(settings_for(Profile(), own_language()))
         if wanted.settings is not None:
             named_ones = read_remembered(read_whole(wanted.settings), named(wanted.settings))
-            known = Remembered(named_ones.settings, named_ones.policy or known.policy)
+            known = replace(named_ones, policy=named_ones.policy or known.policy)
         if wanted.language is not None:
             settings = replace(known.settings, language=Language(wanted.language))
             known = replace(known, settings=settings)
@@ -274,7 +274,7 @@ class _Session:
     def _finish(self) -> bool:
         """Keep what was learned of the patient, and the session's file."""
         session = self._running.session
-        after = Remembered(self._start.settings, session.policy)
+        after = self._knew.after(session)
         self._store.save_settings(self._patient, write_remembered(after))
         self._store.save_session(replace(self._stored, ended_utc=_utc()))
         if self._wanted.record is not None:

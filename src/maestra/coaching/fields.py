@@ -33,8 +33,6 @@ _Built = TypeVar("_Built")
 
 def _cell(written: object) -> Cell:
     match written:
-        case Cell():
-            return written
         case [int(row), int(column)] if _is_side(row) and _is_side(column):
             return Cell(Row(row), Column(column))
         case _:

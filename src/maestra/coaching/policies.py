@@ -7,17 +7,19 @@ answers with an assistance level, 0 to 5.
 *Adaptive.* Beta-Bernoulli posterior sampling [1, Algorithm 16.4 and the text before it] with one
 arm for each level. What is learned for each situation and level is how likely the next attempt
 is right, as a Beta distribution. To choose, one probability is drawn for each level; the level
-taken is the *least* one whose draw reaches a target (60, 75 or 85 %, by the robot's initial
-behaviour), the highest if none does. So uncertain levels are tried now and then, no exploration
-rate is needed, and help falls away as the patient succeeds.
+taken is the *least* one whose draw reaches a target, or comes close to the best draw if none
+does. So uncertain levels are tried now and then, no exploration rate is needed, and help falls
+away as the patient succeeds. The target is 50, 55 or 60 % at a first attempt, by the robot's
+initial behaviour; it rises with each failed attempt, and with the strain of a session that goes
+badly, so that a patient is let try while all is well and is helped at once when it is not.
 
 Departures from [1]: the aim is not the arm with the greatest reward, which would always be the
-most help, but the least sufficient help; a success at one level counts for all higher ones and a
-failure for all lower ones, since help that shows more never makes a move harder; and the parts
-of an exercise share what is learned, for a patient gives some ten outcomes a session and 288
-cells would stay empty. The first beliefs come from the profile (`_FIRST_RIGHT`), each worth
-`PRIOR_WORTH` outcomes, so that a few sessions outweigh them; counts are halved when they exceed
-`MEMORY` outcomes, so that a patient who changes is followed.
+most help, but the least sufficient help; the parts of an exercise share what is learned, for a
+patient gives some ten outcomes a session and 288 cells would stay empty; one silence may be a
+pause for thought and teaches nothing, a second one counts as a failure. The first beliefs come
+from the profile (`_FIRST_RIGHT`), each worth `PRIOR_WORTH` outcomes, so that a few sessions
+outweigh them; counts are halved when they exceed `MEMORY` outcomes, so that a patient who changes
+is followed.
 
 A draw from Beta(a, b) with whole a and b is the a-th smallest of a + b - 1 uniform draws.
 

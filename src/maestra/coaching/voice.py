@@ -3,16 +3,32 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
+from typing import Final, Protocol
 
 from maestra.coaching.chance import Chance
 from maestra.coaching.commands import Say
-from maestra.coaching.referee import Referee
 from maestra.language.coach import FEWEST_WAYS, coach_phrase, ways_to_say
 from maestra.language.coach_keys import CoachKey
+from maestra.language.languages import Language
 from maestra.language.phrases import Phrase
+from maestra.language.speaker import Speaker
 
-RECENT = FEWEST_WAYS - 1
+RECENT: Final = FEWEST_WAYS - 1
 """Phrases within which none is repeated; every phrase can be said in one way more."""
+
+
+class Tongue(Protocol):
+    """Which language, and what is spoken about."""
+
+    @property
+    def language(self) -> Language:
+        """The language."""
+        ...
+
+    @property
+    def speaker(self) -> Speaker:
+        """Says things about the board and its tokens."""
+        ...
 
 
 @dataclass(frozen=True, slots=True)
@@ -23,15 +39,15 @@ class Voice:
     recent: tuple[str, ...] = ()
     """The last templates, the latest last."""
 
-    def say(self, key: CoachKey, referee: Referee, **parts: Phrase | str) -> tuple[Say, Voice]:
+    def say(self, key: CoachKey, tongue: Tongue, **parts: Phrase | str) -> tuple[Say, Voice]:
         """A way to say it that is none of the last."""
-        ways = [way for way in ways_to_say(key, referee.language) if way not in self.recent]
+        ways = [way for way in ways_to_say(key, tongue.language) if way not in self.recent]
         way, chance = self.chance.pick(ways)
-        said = {name: _spoken(part, referee) for name, part in parts.items()}
-        text = coach_phrase(way, referee.speaker, parts)
+        said = {name: _spoken(part, tongue.speaker) for name, part in parts.items()}
+        text = coach_phrase(way, tongue.speaker, parts)
         voice = replace(self, chance=chance, recent=(*self.recent, way)[-RECENT:])
         return Say(key.value, said, text), voice
 
 
-def _spoken(part: Phrase | str, referee: Referee) -> str:
-    return part if isinstance(part, str) else referee.speaker.spoken(part).text
+def _spoken(part: Phrase | str, speaker: Speaker) -> str:
+    return part if isinstance(part, str) else speaker.spoken(part).text

@@ -9,14 +9,14 @@ the policies' place.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import ExitStack
 from dataclasses import asdict, dataclass, replace
 from functools import cache
 from math import sqrt
 from pathlib import Path
 from statistics import fmean, stdev
-from typing import Final, cast
+from typing import Final, TypeAlias, cast
 
 from joblib import Parallel, delayed
 
@@ -108,13 +108,18 @@ class Comparison:
     """The share of assistance that it saves."""
 
 
+Key: TypeAlias = tuple[str, str, int]
+"""Profile, policy, and the patient's number."""
+Runs: TypeAlias = Mapping[Key, tuple[Sat, ...]]
+
+
 def coaching_runs(
     patients: int,
     seed: int,
     jobs: int,
     results: Path | None = None,
     advance: Callable[[int], None] = lambda _more: None,
-) -> dict[tuple[str, str, int], tuple[Sat, ...]]:
+) -> Runs:
     """The sessions of each profile, policy and patient; those in the file `results` not again.
 
     Args:
@@ -183,7 +188,7 @@ def patient_sessions(profile: str, policy: str, number: int, seed: int) -> tuple
     return tuple(sat)
 
 
-def policy_rows(runs: dict[tuple[str, str, int], tuple[Sat, ...]]) -> tuple[PolicyRow, ...]:
+def policy_rows(runs: Runs) -> tuple[PolicyRow, ...]:
     """A row for each profile and policy."""
     rows: list[PolicyRow] = []
     for profile, policy in dict.fromkeys(key[:2] for key in runs):
@@ -206,7 +211,7 @@ def policy_rows(runs: dict[tuple[str, str, int], tuple[Sat, ...]]) -> tuple[Poli
     return tuple(rows)
 
 
-def comparisons(runs: dict[tuple[str, str, int], tuple[Sat, ...]]) -> tuple[Comparison, ...]:
+def comparisons(runs: Runs) -> tuple[Comparison, ...]:
     """For each profile, and for all together, what adaptive does against the most helpful."""
     everybody = "all"
     pairs: dict[str, list[tuple[tuple[Sat, ...], tuple[Sat, ...]]]] = {}
@@ -225,9 +230,7 @@ def comparisons(runs: dict[tuple[str, str, int], tuple[Sat, ...]]) -> tuple[Comp
     )
 
 
-def coaching_json(
-    seed: int, patients: int, runs: dict[tuple[str, str, int], tuple[Sat, ...]]
-) -> Record:
+def coaching_json(seed: int, patients: int, runs: Runs) -> Record:
     """Everything as a JSON object."""
     return {
         **header(seed),
@@ -272,36 +275,33 @@ def _assisted(sat: Sequence[Sat]) -> float:
 
 
 def _in_parallel(
-    keys: Sequence[tuple[str, str, int]], seed: int, jobs: int
-) -> Iterator[tuple[tuple[str, str, int], tuple[Sat, ...]]]:
+    keys: Sequence[Key], seed: int, jobs: int
+) -> Iterator[tuple[Key, tuple[Sat, ...]]]:
     work = (delayed(_with_key)(key, seed) for key in keys)
     if keys:
         parallel = Parallel(n_jobs=jobs, return_as="generator_unordered", batch_size=5)
-        yield from cast("Iterator[tuple[tuple[str, str, int], tuple[Sat, ...]]]", parallel(work))
+        yield from cast("Iterator[tuple[Key, tuple[Sat, ...]]]", parallel(work))
 
 
-def _with_key(
-    key: tuple[str, str, int], seed: int
-) -> tuple[tuple[str, str, int], tuple[Sat, ...]]:
+def _with_key(key: Key, seed: int) -> tuple[Key, tuple[Sat, ...]]:
     return key, patient_sessions(*key, seed)
 
 
-def _record(key: tuple[str, str, int], sessions: Sequence[Sat]) -> Record:
+def _record(key: Key, sessions: Sequence[Sat]) -> Record:
     profile, policy, number = key
     columns = {name: [asdict(sat)[name] for sat in sessions] for name in Sat.__dataclass_fields__}
     return {"profile": profile, "policy": policy, "patient": number, **columns}
 
 
-def _kept(
-    kept: ResultsFile | None, path: Path | None
-) -> dict[tuple[str, str, int], tuple[Sat, ...]]:
+def _kept(kept: ResultsFile | None, path: Path | None) -> dict[Key, tuple[Sat, ...]]:
     """The patients of a file; a record that is none is refused with its line."""
-    done: dict[tuple[str, str, int], tuple[Sat, ...]] = {}
+    done: dict[Key, tuple[Sat, ...]] = {}
     for line, record in enumerate(kept.records if kept else [], start=2):
         columns = [record.get(name) for name in Sat.__dataclass_fields__]
         match record:
             case {"profile": str(profile), "policy": str(policy), "patient": int(number)} if all(
-                isinstance(column, list) and len(column) == SESSIONS_EACH for column in columns
+                isinstance(column, list) and len(cast("list[object]", column)) == SESSIONS_EACH
+                for column in columns
             ):
                 rows = zip(*cast("list[list[int]]", columns), strict=True)
                 done[profile, policy, number] = tuple(Sat(bool(one), *more) for one, *more in rows)

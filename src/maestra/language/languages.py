@@ -12,6 +12,7 @@ from maestra.core.board import Board
 from maestra.core.tokens import Deck
 from maestra.language.lexicon import NO_LEXICON, Lexicon
 from maestra.language.speaker import Speaker
+from maestra.language.synonyms import Synonyms
 from maestra.language.tongue import Grammar, Words
 
 
@@ -30,6 +31,12 @@ class _Package(Protocol):
     GRAMMAR: Grammar
 
 
+class _Others(Protocol):
+    """What each language's module of synonyms has."""
+
+    SYNONYMS: Synonyms
+
+
 @dataclass(frozen=True, slots=True)
 class _Loaded:
     words: Words
@@ -40,6 +47,13 @@ class _Loaded:
 def words_of(language: Language) -> Words:
     """The tables of a language."""
     return _load(language).words
+
+
+@cache
+def synonyms_of(language: Language) -> Synonyms:
+    """What else people say in a language."""
+    module = f"maestra.language.{language.value}.synonyms"
+    return cast("_Others", importlib.import_module(module)).SYNONYMS
 
 
 @cache

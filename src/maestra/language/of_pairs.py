@@ -128,8 +128,8 @@ RELATIONS: Final[tuple[Wording, ...]] = (
     _across(Comparison.DIFFERENT, negated=True),
     *(wording for comparison in _ORDERED for wording in _compared(comparison)),
     *_steps(
-        (Predicate.NEXT_IN_ALPHABET, Predicate.AFTER_BY),
-        (Predicate.PREVIOUS_IN_ALPHABET, Predicate.BEFORE_BY),
+        (Predicate.NEXT_IN_ALPHABET, Predicate.AFTER_BY_IN_ALPHABET),
+        (Predicate.PREVIOUS_IN_ALPHABET, Predicate.BEFORE_BY_IN_ALPHABET),
         Scale.LETTER,
     ),
     *(

@@ -108,6 +108,7 @@ ALONG: Final = (
         "line",
         lambda line, about: first_said(LINES, Along(line), about),
         lambda along, _: along.line,
+        Line.ROW,
     ),
     "line",
 )

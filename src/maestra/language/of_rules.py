@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any, Final, cast
 
 from maestra.core.board import Cell, Column, Row
-from maestra.core.tokens import Scale
+from maestra.core.tokens import LETTER, Scale
 from maestra.language.keys import Key
 from maestra.language.of_pairs import Two
 from maestra.language.of_places import (
@@ -69,10 +70,10 @@ from maestra.rules.forms.selection import AllOfThem, EveryToken
 from maestra.rules.forms.sources import StraightUp, TakeExtreme
 from maestra.rules.forms.timing import Before, Filling, FillOrder, Follows
 from maestra.rules.forms.words import Word
-from maestra.rules.pairs import Compare, Relation
+from maestra.rules.pairs import Compare, Relation, different, same
 from maestra.rules.rule import Rule
 from maestra.rules.setting import Line
-from maestra.rules.token_tests import Anything, Comparison, Has, Not, TokenTest
+from maestra.rules.token_tests import Anything, Comparison, Has, Not, TokenTest, has
 
 _ORDERS: Final = {
     order_of(direction, strict=strict): (direction, strict)
@@ -233,7 +234,16 @@ def _is_shared(named: ValueNamed, about: About) -> bool:
 
 
 _STEPS: Final = (Part("stages", _steps, _tests), "tests")
-_VALUES: Final = (Part("values", _values), "tests")
+_VALUES: Final = (
+    Part(
+        "values",
+        _values,
+        lambda pairs, _: tuple(
+            Has(TokenFeature(f"is-{value}", attribute)) for attribute, value in pairs
+        ),
+    ),
+    "tests",
+)
 _LETTERS: Final = (
     Part("letters", lambda text, _: Listing(tuple(map(Foreign, text)), Joint.COMMA)),
     "letters",
@@ -269,6 +279,32 @@ def _terms(joint: Joint, neutral: int) -> tuple[Part, str, str]:
         return None if places is None else (places, last if ends else neutral)
 
     return Part(f"terms_{joint.value}", phrase, meaning), "right", "constant"
+
+
+def _compared(compare: Callable[[str], Relation]) -> tuple[Part, str]:
+    """What two tokens show is compared under an attribute."""
+
+    def phrase(relation: Relation, about: About) -> Phrase | None:
+        attribute = relation.attribute if isinstance(relation, Compare) else None
+        is_said = attribute is not None and compare(attribute) == relation
+        return ATTRIBUTE.phrase(attribute, about) if is_said else None
+
+    return Part("attribute", phrase, lambda attribute, _: compare(attribute)), "relation"
+
+
+def _spelled(word: str, about: About) -> tuple[TokenTest, ...] | None:
+    """The tokens that show the letters of a word; None unless there is one for each."""
+    shown = {
+        value.casefold(): value
+        for token in about.deck.tokens
+        if isinstance(value := token.value(LETTER), str)
+    }
+    if not all(letter in shown for letter in word):
+        return None
+    return tuple(has(f"is-{shown[letter]}", LETTER) for letter in word)
+
+
+_WORD: Final = (Part("spelled", lambda _, __: None, _spelled), "tests")
 
 
 # ---------------------------------------------------------------- what the start fixes
@@ -327,8 +363,8 @@ RULES: Final[tuple[Wording, ...]] = (
     _source(Key.NOT_FROM_ROW, "row", negated=True),
     _source(Key.FROM_COLUMN, "column", negated=False),
     _source(Key.NOT_FROM_COLUMN, "column", negated=True),
-    put(Key.ONLY, EveryToken, kind=_KIND),
-    put(Key.NONE, EveryToken, kind=_NO_KIND),
+    put(Key.ONLY, EveryToken, kind=_KIND, row=_GOAL_ROW),
+    put(Key.NONE, EveryToken, kind=_NO_KIND, row=_GOAL_ROW),
     put(Key.ONLY_THAT, EveryToken, does=_WHICH),
     put(Key.USE_ALL, AllOfThem, kind=_KIND),
     put(Key.USE_ALL_TOKENS, AllOfThem, {"test": Anything()}),
@@ -443,8 +479,8 @@ RULES: Final[tuple[Wording, ...]] = (
         condition=(CONDITION, "condition"),
         consequence=(CONDITION, "consequence"),
     ),
-    put(Key.WORD_WITH, Word, relation=_RELATION, value=_FOREIGN),
-    put(Key.WORD, Word, {"relation": None, "value": None}),
+    put(Key.WORD_WITH, Word, relation=_RELATION, value=_FOREIGN, attribute=_ATTRIBUTE),
+    put(Key.WORD, Word, {"relation": None, "value": None}, attribute=_ATTRIBUTE),
     # Where from, when, and how many.
     put(Key.SAME_COLUMN, StraightUp, {"mirrored": False}),
     put(Key.MIRRORED_COLUMN, StraightUp, {"mirrored": True}),
@@ -479,6 +515,42 @@ RULES: Final[tuple[Wording, ...]] = (
     put(Key.CUE, Cue, place=_CUE_PLACE, does=_beside(Key.THIS_ONE)),
     put(Key.FILL_ROW, FullRow, row=_GOAL_ROW),
     put(Key.UNTIL_TOTAL, UntilTotal, k=(NUMBER, "number"), attribute=_ATTRIBUTE),
+    # Never said, only understood: the lines above say the same.
+    *(
+        put(
+            key,
+            Ordered,
+            {"direction": direction, "strict": True, "line": Line.ROW},
+            attribute=_ATTRIBUTE,
+            row=_GOAL_ROW,
+            scales=scales,
+        )
+        for direction, keys in (
+            (
+                Direction.RISING,
+                (Key.SMALL_TO_LARGE, Key.IN_THE_ALPHABET, Key.FIRST_TO_LAST),
+            ),
+            (
+                Direction.FALLING,
+                (Key.LARGE_TO_SMALL, Key.BACK_IN_THE_ALPHABET, Key.LAST_TO_FIRST),
+            ),
+        )
+        for key, scales in zip(
+            keys,
+            ({Scale.NUMBER}, {Scale.LETTER}, {Scale.ORDER, Scale.CYCLE}),
+            strict=True,
+        )
+    ),
+    put(Key.ALL_THE_SAME, EachPair, _pairs(Pairs.ALL, Line.ROW), attribute=_compared(same)),
+    put(Key.ALL_DIFFERENT, EachPair, _pairs(Pairs.ALL, Line.ROW), attribute=_compared(different)),
+    put(
+        Key.NEIGHBOURS_DIFFER,
+        EachPair,
+        _pairs(Pairs.NEIGHBOURS, Line.ROW),
+        attribute=_compared(different),
+    ),
+    put(Key.HAS_OF_KIND, Counted, amount=WHOLE_AMOUNT, kind=_KIND),
+    put(Key.SPELL, Pattern, {"repeat": False, "line": Line.ROW}, word=_WORD),
 )
 """Every form of rule; of several lines for a rule the first that fits is said."""
 

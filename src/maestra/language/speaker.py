@@ -34,12 +34,12 @@ from maestra.language.phrases import (
     ValueNamed,
     say,
 )
-from maestra.language.templates import Spoken, fill, slots
+from maestra.language.templates import Gender, Spoken, fill, slots
 from maestra.language.tongue import AttributeWords, Grammar, Naming, VerbForms, Words, inflect
 from maestra.language.wordings import ORIGINS
 
 _UNKNOWN: Final = AttributeWords("")
-_WITHOUT_ADJECTIVE: Final = MappingProxyType(
+WITHOUT_ADJECTIVE: Final = MappingProxyType(
     {
         Predicate.MORE: Predicate.HAS_MORE,
         Predicate.LESS: Predicate.HAS_LESS,
@@ -54,7 +54,7 @@ _WITHOUT_ADJECTIVE: Final = MappingProxyType(
     }
 )
 """What is said instead where the attribute has no comparative or superlative."""
-_BESIDE_ATTRIBUTE: Final = MappingProxyType(
+BESIDE_ATTRIBUTE: Final = MappingProxyType(
     {
         Predicate.IS: Predicate.SHOWS,
         Predicate.ABOVE: Predicate.HAS_ABOVE,
@@ -63,6 +63,26 @@ _BESIDE_ATTRIBUTE: Final = MappingProxyType(
     }
 )
 """What is said instead where a value is not understood without its attribute."""
+_OF_NUMBERS: Final = frozenset(
+    {
+        Predicate.ODD,
+        Predicate.EVEN,
+        Predicate.PRIME,
+        Predicate.MULTIPLE_OF,
+        Predicate.DIGITS,
+        Predicate.ABOVE,
+        Predicate.BELOW,
+        Predicate.AMOUNT,
+        Predicate.MORE_BY,
+        Predicate.LESS_BY,
+        Predicate.APART_BY,
+        Predicate.TWICE,
+        Predicate.HALF,
+        Predicate.TIMES,
+        Predicate.TOGETHER,
+    }
+)
+"""What is said of an attribute with numbers, unless another attribute is named."""
 _HEADS: Final = (Naming.PLAIN, Naming.WORD, Naming.MEASURE, Naming.QUALITY)
 """Which way to name a token is preferred."""
 
@@ -100,7 +120,7 @@ class Speaker:
             case ValueNamed(attribute, value):
                 return self._value(attribute, value)
             case AttributeNamed(attribute):
-                words = self._attribute(attribute)
+                words = self.attribute(attribute)
                 forms = {"plural": words.plural or words.noun}
                 return Spoken(words.noun, forms, words.gender)
             case Things(attribute):
@@ -136,28 +156,42 @@ class Speaker:
         verb, template = self._predicate(does)
         plural = replace(self.grammar.token, many=True)
         rests = (
-            self._rest(template, does.parts, subject),
-            self._rest(template, does.parts, plural),
+            self._rest(template, does.parts, subject, does.predicate),
+            self._rest(template, does.parts, plural, does.predicate),
         )
         return self._conjugate(self.words.verbs[verb], rests, does, subject)
 
-    def _rest(self, template: str, parts: Mapping[str, Phrase], subject: Spoken) -> str:
+    def _rest(
+        self, template: str, parts: Mapping[str, Phrase], subject: Spoken, predicate: Predicate
+    ) -> str:
         """What follows the verb, and where it is needed by which attribute."""
         text = self._fill(template, {**self._agreeing(parts, subject), "subject": subject})
         if "way" in parts:
             text = f"{text} {self.spoken(parts['way']).text}"
         attribute = parts.get("attribute")
-        if isinstance(attribute, AttributeNamed) and self._is_shared(template, attribute, parts):
+        numeric = predicate in _OF_NUMBERS
+        if isinstance(attribute, AttributeNamed) and self._is_shared(
+            template, attribute, parts, numeric=numeric
+        ):
             text = f"{text} {self.spoken(say(Key.BY_ATTRIBUTE, attribute=attribute)).text}"
         return text
 
     def _is_shared(
-        self, template: str, attribute: AttributeNamed, parts: Mapping[str, Phrase]
+        self,
+        template: str,
+        attribute: AttributeNamed,
+        parts: Mapping[str, Phrase],
+        *,
+        numeric: bool,
     ) -> bool:
-        """Whether the words alone do not tell which attribute is meant."""
+        """Whether the words alone do not tell which attribute is meant.
+
+        What is said of numbers is taken to be about them, if nothing else is said.
+        """
         if "attribute" in slots(template):
             return False
-        if attribute.attribute in ORIGINS:
+        scale = self.deck.scales.get(attribute.attribute, Scale.NUMBER)
+        if attribute.attribute in ORIGINS or (scale is not Scale.NUMBER and numeric):
             return True
         said = self._fill_of(template, parts)
         return any(
@@ -177,21 +211,24 @@ class Speaker:
         """The same said of another attribute; None if it makes no sense of that one."""
         scales = self.deck.scales
         moved: dict[str, Phrase] = {}
-        valued = False
+        own = False
         for name, part in parts.items():
             match part:
                 case ValueNamed(_, value):
                     if not self._shows(rival, value):
                         return None
                     moved[name] = ValueNamed(rival, value)
-                    valued = True
+                    own = True
                 case Adjective():
                     moved[name] = replace(part, attribute=rival)
-                    if self._degree(replace(part, attribute=rival)) is None:
+                    # "The smallest" is said of any order, "smaller" of numbers alone.
+                    own = own or part.degree in {Degree.MOST, Degree.LEAST}
+                    if self.degree(rival, part.degree) is None:
                         return None
                 case _:
                     moved[name] = part
-        return moved if valued or scales[rival] is scales.get(attribute) else None
+        alike = _alike(scales[rival]) == _alike(scales.get(attribute, Scale.NUMBER))
+        return moved if own or alike else None
 
     def _shows(self, attribute: str, value: Value) -> bool:
         if not isinstance(value, str):
@@ -270,11 +307,15 @@ class Speaker:
     def _kind(self, predicate: Predicate, parts: Mapping[str, Phrase]) -> Spoken:
         plural = replace(self.grammar.token, many=True)
         template = self.words.kinds[self._sayable(predicate, parts)]
-        return Spoken(self._rest(template, parts, plural), many=True)
+        text = self._rest(template, parts, plural, predicate)
+        if "things" in slots(template):
+            return Spoken(text, gender=self.spoken(parts["things"]).gender, many=True)
+        multiples = predicate is Predicate.MULTIPLE_OF
+        return Spoken(text, gender=Gender.MASCULINE if multiples else plural.gender, many=True)
 
     def _things(self, attribute: str) -> Spoken:
         """What tokens are called that show `attribute` and nothing else."""
-        words = self._attribute(attribute)
+        words = self.attribute(attribute)
         alone = all(len(token.attributes) == 1 for token in self.deck.tokens)
         if not alone or words.things is None:
             return replace(self.grammar.token, text=self.grammar.token.forms["plural"], many=True)
@@ -283,15 +324,19 @@ class Speaker:
     def _sayable(self, predicate: Predicate, parts: Mapping[str, Phrase]) -> Predicate:
         """What can be said of the attribute with the words there are."""
         adjective, attribute = parts.get("adjective"), parts.get("attribute")
-        if isinstance(adjective, Adjective) and self._degree(adjective) is None:
-            return _WITHOUT_ADJECTIVE.get(predicate, predicate)
+        if (
+            isinstance(adjective, Adjective)
+            and self.degree(adjective.attribute, adjective.degree) is None
+        ):
+            return WITHOUT_ADJECTIVE.get(predicate, predicate)
         if isinstance(attribute, AttributeNamed) and self._is_apart(attribute.attribute):
-            return _BESIDE_ATTRIBUTE.get(predicate, predicate)
+            return BESIDE_ATTRIBUTE.get(predicate, predicate)
         return predicate
 
-    def _degree(self, adjective: Adjective) -> str | None:
-        words = self._attribute(adjective.attribute)
-        match adjective.degree:
+    def degree(self, attribute: str, degree: Degree) -> str | None:
+        """What the greater or lesser of tokens is called, if there is a word."""
+        words = self.attribute(attribute)
+        match degree:
             case Degree.MORE:
                 return words.more
             case Degree.LESS:
@@ -301,15 +346,16 @@ class Speaker:
             case Degree.LEAST:
                 return words.least
             case _:
-                assert_never(adjective.degree)
+                assert_never(degree)
 
     def _adjective(self, adjective: Adjective, subject: Spoken) -> Spoken:
-        word = self._degree(adjective) or ""
+        word = self.degree(adjective.attribute, adjective.degree) or ""
         if adjective.many:
             return Spoken(inflect(word, self.grammar.token.gender, many=True))
         return Spoken(inflect(word, subject.gender, many=subject.many))
 
-    def _attribute(self, attribute: str) -> AttributeWords:
+    def attribute(self, attribute: str) -> AttributeWords:
+        """The words of an attribute."""
         words = self.words.attributes.get(attribute, replace(_UNKNOWN, noun=attribute))
         if attribute not in self._namesakes:
             return words
@@ -328,7 +374,7 @@ class Speaker:
         return self._naming(attribute) in {None, Naming.MEASURE}
 
     def _naming(self, attribute: str) -> Naming | None:
-        return self._attribute(attribute).naming
+        return self.attribute(attribute).naming
 
     def _value_word(self, attribute: str, value: Value) -> str:
         if isinstance(value, str):
@@ -337,7 +383,7 @@ class Speaker:
 
     def _value(self, attribute: str, value: Value) -> Spoken:
         """A value where it stands for a token: 34, C, red."""
-        words = self._attribute(attribute)
+        words = self.attribute(attribute)
         text = self._value_word(attribute, value)
         match words.naming:
             case Naming.PLAIN:
@@ -362,7 +408,7 @@ class Speaker:
         if not ranked:
             return self.grammar.token
         (attribute, value), *others = ranked
-        words = self._attribute(attribute)
+        words = self.attribute(attribute)
         text = self._value_word(attribute, value)
         manner = self._manner(attribute, value)
         match manner:
@@ -388,3 +434,8 @@ class Speaker:
     def _manner(self, attribute: str, value: Value) -> Naming:
         default = Naming.WORD if isinstance(value, str) else Naming.MEASURE
         return self._naming(attribute) or default
+
+
+def _alike(scale: Scale) -> Scale:
+    """The scale of which the same is said: a cycle is spoken of as an order."""
+    return Scale.ORDER if scale is Scale.CYCLE else scale

@@ -50,6 +50,8 @@ class Part:
     """The phrase for a value; None if it cannot be said so."""
     meaning: Callable[[Any, About], Any] = lambda value, _: value
     """The value for what was read; None if it cannot stand here."""
+    unsaid: object = None
+    """The value where nothing was said; None if something must be."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -73,7 +75,7 @@ class Gap:
         return dict(zip(self.names, cast("tuple[object, ...]", value), strict=True))
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, eq=False)
 class Wording:
     """One way to put things of one form."""
 
@@ -106,7 +108,10 @@ class Wording:
         return said
 
     def things(self, read: Mapping[str, object], about: About) -> Iterator[object]:
-        """What may be meant where `read` was said in the gaps; gaps may be missing."""
+        """What may be meant where `read` was said in the gaps; gaps may be missing.
+
+        Where no attribute is said, it is one whose values compare as is said of them.
+        """
         values = dict(self.fixed)
         for name, said in read.items():
             if name not in self.gaps:
@@ -117,21 +122,23 @@ class Wording:
             for field, one in self.gaps[name].fields(value).items():
                 if values.setdefault(field, one) != one:
                     return
+        for gap in self.gaps.values():
+            if gap.part.unsaid is not None:
+                values = {**gap.fields(gap.part.unsaid), **values}
         if "attribute" in values or not self._has_attribute:
-            yield from self._made(values, about)
+            yield from self._made(values)
             return
-        for attribute in about.deck.scales:
-            yield from self._made({**values, "attribute": attribute}, about)
+        scales = about.deck.scales
+        for attribute in [name for name in scales if self._fits(name, about)] or scales:
+            yield from self._made({**values, "attribute": attribute})
 
     @property
     def _has_attribute(self) -> bool:
         return any("attribute" in gap.names for gap in self.gaps.values())
 
-    def _made(self, values: Mapping[str, object], about: About) -> Iterator[object]:
+    def _made(self, values: Mapping[str, object]) -> Iterator[object]:
         needed = {name for gap in self.gaps.values() for name in gap.names}
         if not needed <= values.keys():
-            return
-        if not self._fits(cast("str", values.get("attribute", "")), about):
             return
         try:
             yield built(self.of, values)

@@ -10,7 +10,7 @@ caregiver picks what counts.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from enum import Enum
 from typing import Final, TypeAlias, assert_never
 
@@ -118,7 +118,7 @@ class SlipReply(Enum):
 
     TAKEN_BACK = "taken-back"
     CONFIRMED = "confirmed"
-    """It was meant as it was shown."""
+    """It was meant as it was shown: the same as to be asked about that row, and to say yes."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -185,6 +185,14 @@ class Terms:
 
 
 @dataclass(frozen=True, slots=True)
+class _Put:
+    """What the caregiver has been asked already besides questions."""
+
+    contradictions: frozenset[Contradiction] = frozenset()
+    slips: frozenset[Index] = frozenset()
+
+
+@dataclass(frozen=True, slots=True)
 class Dialogue:
     """What was shown and said, what it comes to, and what is asked now."""
 
@@ -200,12 +208,9 @@ class Dialogue:
     """What was shown and said that cannot both be."""
     taken_back: frozenset[Index] = frozenset()
     """The demonstrations that no longer count."""
-    confirmed: frozenset[Index] = frozenset()
-    """Those that are meant as they were shown, whatever they look like."""
     asked: int = 0
     """Questions asked, out of the budget."""
-    put: frozenset[Contradiction] = frozenset()
-    """What the caregiver was shown already, of what cannot both be."""
+    put: _Put = field(default=_Put())
 
     @property
     def counting(self) -> tuple[Index, ...]:
@@ -288,7 +293,9 @@ def _answered(dialogue: Dialogue, answer: Answer) -> Dialogue:
 def _slip_replied(dialogue: Dialogue, number: Index, reply: SlipReply) -> Dialogue:
     match reply:
         case SlipReply.CONFIRMED:
-            return _learned(replace(dialogue, confirmed=dialogue.confirmed | {number}))
+            # That is an answer like any other: this row is right.
+            meant = Answer(RowQuestion(play_of(dialogue.demonstrations[number])), Reply.YES)
+            return _learned(replace(dialogue, answers=(*dialogue.answers, meant)))
         case SlipReply.TAKEN_BACK:
             return _learned(_without(dialogue, Shown(number)))
         case _:
@@ -342,8 +349,7 @@ def _learned(dialogue: Dialogue) -> Dialogue:
 
 def _relearned(dialogue: Dialogue) -> Dialogue:
     shown = [dialogue.demonstrations[k] for k in dialogue.counting]
-    confirmed = {n for n, k in enumerate(dialogue.counting) if k in dialogue.confirmed}
-    lesson = learn(shown, dialogue.answers, dialogue.terms.seed, confirmed=confirmed)
+    lesson = learn(shown, dialogue.answers, dialogue.terms.seed)
     after = replace(dialogue, lesson=lesson)
     return replace(after, contradictions=_found(after))
 
@@ -362,19 +368,18 @@ def _found(dialogue: Dialogue) -> tuple[Contradiction, ...]:
 
 def _ask_on(dialogue: Dialogue) -> Dialogue:
     """The dialogue with the next thing to ask."""
-    terms = dialogue.terms
+    terms, put = dialogue.terms, dialogue.put
     may_ask = dialogue.asked < terms.questions
-    new = [one for one in dialogue.contradictions if one not in dialogue.put]
+    new = [one for one in dialogue.contradictions if one not in put.contradictions]
     if new and (terms.follow_ups or may_ask):
-        put = dialogue.put | {new[0]}
+        put = replace(put, contradictions=put.contradictions | {new[0]})
         question = dialogue.answers[new[0].later.answer].question
         ask = AskWhichCounts(new[0]) if terms.follow_ups else AskAgain(new[0], question)
         return replace(dialogue, ask=ask, put=put)
-    if dialogue.lesson.slips and terms.follow_ups:
-        # One that was confirmed or taken back is no longer among them.
-        slip = dialogue.lesson.slips[0]
-        number = dialogue.counting[slip.demonstration]
-        return replace(dialogue, ask=AskSlip(replace(slip, demonstration=number)))
+    slip = _new_slip(dialogue)
+    if slip is not None and terms.follow_ups:
+        put = replace(put, slips=put.slips | {slip.demonstration})
+        return replace(dialogue, ask=AskSlip(slip), put=put)
     if dialogue.lesson.status is LearnStatus.LEARNED:
         return _finished(dialogue, Ending.SURE)
     if not may_ask:
@@ -383,6 +388,24 @@ def _ask_on(dialogue: Dialogue) -> Dialogue:
     if question_next is None:
         return _finished(dialogue, Ending.NOTHING_HELPS)
     return replace(dialogue, ask=AskQuestion(question_next))
+
+
+def _new_slip(dialogue: Dialogue) -> Slip | None:
+    """A likely mistake that was not asked about, by the number of its demonstration."""
+    right = {a.question for a in dialogue.answers if a.reply is Reply.YES}
+    found = (
+        replace(slip, demonstration=dialogue.counting[slip.demonstration])
+        for slip in dialogue.lesson.slips
+    )
+    return next(
+        (
+            slip
+            for slip in found
+            if slip.demonstration not in dialogue.put.slips
+            and RowQuestion(play_of(dialogue.demonstrations[slip.demonstration])) not in right
+        ),
+        None,
+    )
 
 
 def _finished(dialogue: Dialogue, ending: Ending) -> Dialogue:

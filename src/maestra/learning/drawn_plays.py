@@ -89,9 +89,15 @@ class Drawer:
         moves = [(token, cell) for cell in cells for token in bits(play.left)]
         return shuffled(moves, seed, step)[:TRIED]
 
-    def near_misses(self, play: Play) -> Iterator[Play]:
-        """What one change makes of a right play, where that is no longer right."""
-        for placed in dict.fromkeys(_changed(play)):
+    def near_misses(self, play: Play, seed: int | None = None) -> Iterator[Play]:
+        """What one change makes of a right play, where that is no longer right.
+
+        Args:
+            play: the right play.
+            seed: of the order they come in; None: those with another token first, from the left.
+        """
+        changes = list(dict.fromkeys(_changed(play)))
+        for placed in changes if seed is None else shuffled(changes, seed):
             changed = played(self.setting, placed)
             if not self.all.may_end(changed):
                 yield changed

@@ -31,7 +31,9 @@ STARTS_TRIED: Final = 3
 """Arrangements looked at for each one that plays begin from: some allow no right play."""
 DRAWN: Final = 4
 """Plays drawn for each one wanted, to choose from."""
-WEIGHED: Final = 40
+CHANGED: Final = 60
+"""Near misses of one right play to choose from."""
+WEIGHED: Final = 150
 """Near misses of which it is found out at how many places they are refused, for each wanted."""
 CONFIDENCE: Final = 0.95
 _STEPS: Final = 60
@@ -157,7 +159,7 @@ def _near_misses(right: Sequence[_Drawn], number: int) -> list[_Drawn]:
     pool = {
         play: _Drawn(play, one.drawer)
         for one in right
-        for play in one.drawer.near_misses(one.play)
+        for play in islice(one.drawer.near_misses(one.play, number), CHANGED)
     }
     broken = {play: one.drawer.broken(play) for play, one in pool.items()}
     of_one_rule = [one for play, one in pool.items() if len(broken[play]) == 1]
@@ -176,7 +178,9 @@ def _near_misses(right: Sequence[_Drawn], number: int) -> list[_Drawn]:
         rarest = min(met[broken[one.play]] for one in left)
         fit = [one for one in left if met[broken[one.play]] == rarest]
         far = sorted(fit, key=lambda one: -_nearest(one.play, chosen))
-        best = min(far[:WEIGHED], key=at_places)
+        weighed = far[:WEIGHED]
+        single = (one for one in weighed if at_places(one) == 1)
+        best = next(single, None) or min(weighed, key=at_places)
         found.append(best)
         chosen.append(best.play)
         left.remove(best)

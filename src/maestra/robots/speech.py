@@ -1,4 +1,4 @@
-"""A voice: espeak-ng as a subprocess, one sentence after another, without waiting.
+"""A voice: espeak-ng as a subprocess; a sentence waits until the one before it is out.
 
 Speed is words a minute and volume 0 to 200 in espeak-ng; ours is 0 to 100 %. Where the program is
 missing nothing is said, and the screen says it all the same.
@@ -44,7 +44,7 @@ class SpeechRobot:
     def carry_out(self, command: Command) -> Sequence[Event]:
         """Speak a phrase once the one before it is out."""
         if isinstance(command, Say) and self._program is not None:
-            self._hush(LONGEST_S)
+            self._hush()
             self._speaking = subprocess.Popen(
                 [self._program, *self._options, "--", command.text],
                 stdin=subprocess.DEVNULL,
@@ -59,14 +59,14 @@ class SpeechRobot:
 
     def close(self) -> None:
         """Let the last sentence end."""
-        self._hush(LONGEST_S)
+        self._hush()
 
-    def _hush(self, patience_s: float) -> None:
+    def _hush(self) -> None:
         speaking, self._speaking = self._speaking, None
         if speaking is None:
             return
         try:
-            speaking.wait(patience_s)
+            speaking.wait(LONGEST_S)
         except subprocess.TimeoutExpired:
             speaking.kill()
             speaking.wait()

@@ -18,6 +18,8 @@ _LOCK: Final = 0x4D61_6573_7472_6121
 """One number for all of Maestra, in each database: its writers take turns."""
 _TAKE_LOCK: Final = text(f"SELECT pg_try_advisory_lock({_LOCK})")
 _CONNECT_S: Final = 10
+BUSY_MS: Final = 5_000
+"""How long to wait for others to finish reading before a table can be written anew."""
 
 
 class PostgresDatabase:
@@ -88,6 +90,7 @@ class PostgresDatabase:
             with self._engine.connect().execution_options(
                 isolation_level="AUTOCOMMIT"
             ) as connection:
+                connection.exec_driver_sql(f"SET lock_timeout = {BUSY_MS}")
                 for table in OF_A_PATIENT:
                     connection.exec_driver_sql(f"VACUUM FULL {table.name}")
         except DBAPIError as error:

@@ -25,7 +25,7 @@ from maestra.storage.database import as_os_error, in_use
 from maestra.storage.vault import flush_folder
 
 FILE_NAME: Final = "maestra.db"
-_BUSY_S: Final = 5.0
+BUSY_S: Final = 5.0
 """How long to wait for others to finish reading before a log can be cut off."""
 PRAGMAS: Final = (
     "journal_mode = WAL",
@@ -33,7 +33,7 @@ PRAGMAS: Final = (
     "secure_delete = ON",
     "temp_store = MEMORY",
     "trusted_schema = OFF",
-    f"busy_timeout = {int(1000 * _BUSY_S)}",
+    f"busy_timeout = {int(1000 * BUSY_S)}",
 )
 
 
@@ -83,10 +83,12 @@ class SqliteDatabase:
         """Write the file anew without what was deleted, and cut the log off."""
         raw = cast("sqlite3.Connection", writing.connection.driver_connection)
         raw.execute("VACUUM")
-        deadline = time.monotonic() + _BUSY_S
+        deadline = time.monotonic() + BUSY_S
         while raw.execute("PRAGMA wal_checkpoint(TRUNCATE)").fetchone()[0] != 0:
             if time.monotonic() > deadline:
-                raise OSError(None, "somebody is reading it; try again", self.name)
+                raise OSError(
+                    None, "erased, but not cleaned up: somebody is reading it", self.name
+                )
             time.sleep(0.05)
 
     def close(self) -> None:

@@ -162,10 +162,12 @@ class SqlStore:
         """Destroy a patient's key, forget who it was, and clean the database of what is left.
 
         The record keeps its events, which nobody can read any more, so its chain still holds.
-        Broken off at any point, it can be done again.
+        Broken off before the patient is forgotten, it can be done again.
 
         Raises:
             KeyError: nobody has this pseudonym.
+            OSError: the patient is erased, but somebody is reading, so the files keep, sealed
+                with the key that is no more, what was deleted; the next erasing cleans them.
         """
         writer = demand_writer(self._writer, self._database)
         subject = writer.run(lambda connection: self._known(connection, patient))

@@ -64,6 +64,8 @@ class Writer:
         """Taken from the line, and to be done by itself next."""
         self._connection: Connection | None = database.writing()
         self._thread = threading.Thread(target=self._serve, name="maestra-writer", daemon=True)
+        self._door = threading.Lock()
+        """Nothing comes into the line after the end of it."""
         self._is_closed = False
         self._thread.start()
 
@@ -77,18 +79,21 @@ class Writer:
                 acknowledged.
             Exception: whatever `job` raised, with nothing of it kept.
         """
-        if self._is_closed:
-            raise OSError(None, "the record is closed", self._database.name)
         answer: Future[_Made] = Future()
-        self._waiting.put(_Job(job, answer, alone))
+        with self._door:
+            if self._is_closed:
+                raise OSError(None, "the record is closed", self._database.name)
+            self._waiting.put(_Job(job, answer, alone))
         return answer.result()
 
     def close(self) -> None:
         """Do what waits, then stop."""
-        if not self._is_closed:
+        with self._door:
+            if self._is_closed:
+                return
             self._is_closed = True
             self._waiting.put(None)
-            self._thread.join()
+        self._thread.join()
 
     def _serve(self) -> None:
         while (group := self._next_group()) is not None:

@@ -1,4 +1,4 @@
-"""Catalan: what the coach says, and what its settings mean."""
+"""Catalan: what the coach says."""
 
 from collections.abc import Mapping
 from types import MappingProxyType

@@ -20,6 +20,10 @@ SENTENCES: Final[Mapping[str, str]] = MappingProxyType(
         "show-next": "Per aclarir-ne el màxim, mostreu ara això:",
         "planned": "Planificat per {engine} en {seconds} s. Problemes: {problems}. "
         "Supressions supèrflues descartades: {superfluous}.",
+        "not-understood": "No he entès: «{text}».",
+        "could-say": "Podeu dir:",
+        "several-meanings": "Això pot voler dir diverses coses. Quina?",
+        "cannot-keep": "Cap fila d'aquestes fitxes compleix totes aquestes regles:",
         "before": "abans",
         "after": "després",
         "times-shown": "Vegades mostrada: {seen}.",

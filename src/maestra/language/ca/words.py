@@ -58,8 +58,11 @@ _SENTENCES: Final = {
     ),
     Key.TOTAL: "[attribute@Els|Les] {attribute:plural} de la fila han de sumar {amount}.",
     Key.EQUATION: "Segons {attribute:the}, {left} ha de fer {right}.",
-    Key.WORD: "Les lletres han de formar una paraula de la llista.",
-    Key.WORD_WITH: "Les lletres han de formar una paraula de la llista, amb {relation} «{value}».",
+    Key.WORD: "[attribute@Els|Les] {attribute:plural} han de formar una paraula de la llista.",
+    Key.WORD_WITH: (
+        "[attribute@Els|Les] {attribute:plural} han de formar una paraula de la llista, "
+        "amb {relation} «{value}»."
+    ),
     Key.EXACTLY: "exactament {k}",
     Key.AT_LEAST: "com a mínim {k}",
     Key.AT_MOST: "com a màxim {k}",
@@ -114,6 +117,21 @@ _SENTENCES: Final = {
     Key.BLOCKS: "{along}, les fitxes amb [attribute@el mateix|la mateixa] {attribute} van juntes.",
     Key.IF_THEN: "Si {condition}, llavors {consequence}.",
     Key.SUBJECT_DOES: "{subject} {does}",
+    Key.SMALL_TO_LARGE: "de petit a gran.",
+    Key.LARGE_TO_SMALL: "de gran a petit.",
+    Key.IN_THE_ALPHABET: "en ordre alfabètic.",
+    Key.BACK_IN_THE_ALPHABET: "en ordre alfabètic invers.",
+    Key.FIRST_TO_LAST: (
+        "[attribute@del primer|de la primera] {attribute} [attribute@a l'últim|a l'última]."
+    ),
+    Key.LAST_TO_FIRST: (
+        "[attribute@de l'últim|de l'última] {attribute} [attribute@al primer|a la primera]."
+    ),
+    Key.ALL_THE_SAME: "totes les fitxes tenen [attribute@el mateix|la mateixa] {attribute}.",
+    Key.ALL_DIFFERENT: "totes les fitxes tenen {attribute:plural} diferents.",
+    Key.NEIGHBOURS_DIFFER: "les fitxes veïnes tenen {attribute:plural} diferents.",
+    Key.SPELL: "escriviu {word}.",
+    Key.HAS_OF_KIND: "La fila ha de tenir {amount} {kind}.",
     Key.EITHER_OF: "o bé {several}",
     Key.BOTH_OF: "alhora {several}",
     Key.BY_ATTRIBUTE: "segons {attribute:the}",
@@ -264,6 +282,8 @@ _PREDICATES: Final = {
     Predicate.PREVIOUS_IN_ALPHABET: ("anar", "just abans {other:of} en l'alfabet"),
     Predicate.AFTER_BY: ("anar", "{k} posicions després {other:of}"),
     Predicate.BEFORE_BY: ("anar", "{k} posicions abans {other:of}"),
+    Predicate.AFTER_BY_IN_ALPHABET: ("anar", "{k} posicions després {other:of} en l'alfabet"),
+    Predicate.BEFORE_BY_IN_ALPHABET: ("anar", "{k} posicions abans {other:of} en l'alfabet"),
     Predicate.APART_BY: ("diferenciar-se", "en {k} {other:of}"),
     Predicate.TWICE: ("ser", "el doble {other:of}"),
     Predicate.HALF: ("ser", "la meitat {other:of}"),

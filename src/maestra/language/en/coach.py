@@ -1,4 +1,4 @@
-"""English: what the coach says, and what its settings mean."""
+"""English: what the coach says."""
 
 from collections.abc import Mapping
 from types import MappingProxyType

@@ -20,6 +20,10 @@ SENTENCES: Final[Mapping[str, str]] = MappingProxyType(
         "show-next": "To settle most of it, show this next:",
         "planned": "Planned by {engine} in {seconds} s. Problems: {problems}. "
         "Superfluous deletions dropped: {superfluous}.",
+        "not-understood": "I did not understand: “{text}”.",
+        "could-say": "You could say:",
+        "several-meanings": "That can mean several things. Which one?",
+        "cannot-keep": "No row of these tokens keeps all of these rules:",
         "before": "before",
         "after": "after",
         "times-shown": "Times shown: {seen}.",

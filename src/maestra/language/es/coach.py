@@ -1,4 +1,4 @@
-"""Spanish: what the coach says, and what its settings mean."""
+"""Spanish: what the coach says."""
 
 from collections.abc import Mapping
 from types import MappingProxyType

@@ -20,6 +20,10 @@ SENTENCES: Final[Mapping[str, str]] = MappingProxyType(
         "show-next": "Para aclarar lo más posible, muestre ahora esto:",
         "planned": "Planificado por {engine} en {seconds} s. Problemas: {problems}. "
         "Supresiones superfluas descartadas: {superfluous}.",
+        "not-understood": "No he entendido: «{text}».",
+        "could-say": "Puede decir:",
+        "several-meanings": "Eso puede querer decir varias cosas. ¿Cuál de ellas?",
+        "cannot-keep": "Ninguna fila de estas fichas cumple todas estas reglas:",
         "before": "antes",
         "after": "después",
         "times-shown": "Veces mostrada: {seen}.",

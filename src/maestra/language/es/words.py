@@ -58,8 +58,11 @@ _SENTENCES: Final = {
     ),
     Key.TOTAL: "[attribute@Los|Las] {attribute:plural} de la fila deben sumar {amount}.",
     Key.EQUATION: "Según {attribute:the}, {left} debe dar {right}.",
-    Key.WORD: "Las letras deben formar una palabra de la lista.",
-    Key.WORD_WITH: "Las letras deben formar una palabra de la lista, con {relation} «{value}».",
+    Key.WORD: "[attribute@Los|Las] {attribute:plural} deben formar una palabra de la lista.",
+    Key.WORD_WITH: (
+        "[attribute@Los|Las] {attribute:plural} deben formar una palabra de la lista, "
+        "con {relation} «{value}»."
+    ),
     Key.EXACTLY: "exactamente {k}",
     Key.AT_LEAST: "al menos {k}",
     Key.AT_MOST: "como máximo {k}",
@@ -114,6 +117,21 @@ _SENTENCES: Final = {
     Key.BLOCKS: "{along}, las fichas con [attribute@el mismo|la misma] {attribute} van juntas.",
     Key.IF_THEN: "Si {condition}, entonces {consequence}.",
     Key.SUBJECT_DOES: "{subject} {does}",
+    Key.SMALL_TO_LARGE: "de menor a mayor.",
+    Key.LARGE_TO_SMALL: "de mayor a menor.",
+    Key.IN_THE_ALPHABET: "en orden alfabético.",
+    Key.BACK_IN_THE_ALPHABET: "en orden alfabético inverso.",
+    Key.FIRST_TO_LAST: (
+        "[attribute@del primer|de la primera] {attribute} [attribute@al último|a la última]."
+    ),
+    Key.LAST_TO_FIRST: (
+        "[attribute@del último|de la última] {attribute} [attribute@al primero|a la primera]."
+    ),
+    Key.ALL_THE_SAME: "todas las fichas tienen [attribute@el mismo|la misma] {attribute}.",
+    Key.ALL_DIFFERENT: "todas las fichas tienen {attribute:plural} diferentes.",
+    Key.NEIGHBOURS_DIFFER: "las fichas vecinas tienen {attribute:plural} diferentes.",
+    Key.SPELL: "escriba {word}.",
+    Key.HAS_OF_KIND: "La fila debe tener {amount} {kind}.",
     Key.EITHER_OF: "o bien {several}",
     Key.BOTH_OF: "a la vez {several}",
     Key.BY_ATTRIBUTE: "según {attribute:the}",
@@ -266,6 +284,8 @@ _PREDICATES: Final = {
     Predicate.PREVIOUS_IN_ALPHABET: ("ir", "justo antes {other:of} en el alfabeto"),
     Predicate.AFTER_BY: ("ir", "{k} posiciones después {other:of}"),
     Predicate.BEFORE_BY: ("ir", "{k} posiciones antes {other:of}"),
+    Predicate.AFTER_BY_IN_ALPHABET: ("ir", "{k} posiciones después {other:of} en el alfabeto"),
+    Predicate.BEFORE_BY_IN_ALPHABET: ("ir", "{k} posiciones antes {other:of} en el alfabeto"),
     Predicate.APART_BY: ("diferenciarse", "en {k} {other:of}"),
     Predicate.TWICE: ("ser", "el doble {other:of}"),
     Predicate.HALF: ("ser", "la mitad {other:of}"),

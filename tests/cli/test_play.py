@@ -1,0 +1,130 @@
+"""A session on the terminal: piped moves, a record, and the same session again."""
+
+from __future__ import annotations
+
+import json
+import queue
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+
+from maestra.app import record_to_read
+from maestra.cli import playing
+from maestra.coaching.recording import read_session
+from tests.cli.running import Ran, learned, maestra
+
+
+def play(folder: Path, typed: str, *options: str | Path, name: str = "ascending") -> Ran:
+    exercise = folder / f"{name}.json"
+    if not exercise.exists():
+        exercise = learned(folder, name)
+    record = folder / "session.jsonl"
+    where = ("--data", folder / "data", "--keys", folder / "keys")
+    wanted = ("--patient", "anna", "--seed", "5", "--quiet", "--record", record)
+    return maestra("play", exercise, *wanted, *where, *options, typed=typed.encode())
+
+
+ASCENDING = "19\n23\n32\n34 4\n36\n"
+
+
+def test_a_whole_session_is_played_recorded_and_replayed(tmp_path: Path) -> None:
+    ran = play(tmp_path, ASCENDING)
+    assert ran.code == 0, ran
+    assert ran.err == ""
+    with (tmp_path / "session.jsonl").open("rb") as file:
+        start, events = read_session(file, "session.jsonl")
+        assert start.patient == "anna"
+        assert len(list(events)) == 11
+    shown = maestra("replay", tmp_path / "session.jsonl")
+    assert shown.code == 0
+    said = [line for line in shown.out.splitlines() if line.strip().startswith("say ")]
+    assert all(line.strip()[5:-1] in ran.out for line in said)
+    again = maestra("replay", tmp_path / "session.jsonl", "--json")
+    assert [json.loads(line)["at"] for line in again.out.splitlines()][-1] == 5_000
+
+
+def test_the_same_seed_and_moves_give_the_same_transcript(tmp_path: Path) -> None:
+    one, other = tmp_path / "one", tmp_path / "other"
+    for folder in (one, other):
+        folder.mkdir()
+    assert play(one, ASCENDING).out == play(other, ASCENDING).out
+
+
+def test_wrong_moves_hints_and_waiting(tmp_path: Path) -> None:
+    typed = "63\nundo\nhint\nwait 30\nshow me\nfoo\nhelp\n19 9\n19 1\n23 1\n19 1\nquit\n"
+    ran = play(tmp_path, typed)
+    assert ran.code == 1
+    assert "There is no token foo." in ran.out
+    assert "The columns go from 1 to 5." in ran.out
+    assert "There is already a token in column 1." in ran.out
+    assert "moves it to the first empty column" in ran.out
+
+
+def test_the_end_of_what_is_typed_ends_the_session(tmp_path: Path) -> None:
+    ran = play(tmp_path, "19\ndone\n")
+    assert ran.code == 1
+    shown = maestra("replay", tmp_path / "session.jsonl")
+    assert "end-ordered" in shown.out
+    assert "done-said" in shown.out
+
+
+def test_a_full_row_takes_no_more(tmp_path: Path) -> None:
+    ran = play(tmp_path, "19 5\n23 4\n32 3\n34 2\n36 1\n46\n")
+    assert "The goal row is full." in ran.out
+
+
+def test_settings_are_kept_for_the_patient_and_may_be_given(tmp_path: Path) -> None:
+    settings = tmp_path / "settings.json"
+    written = {"format": "maestra.settings/1", "settings": {"language": "ca", "level": 2}}
+    settings.write_text(json.dumps(written))
+    first = play(tmp_path, ASCENDING, "--settings", settings)
+    assert "Cada fitxa" in first.out
+    assert "Cada fitxa" in play(tmp_path, ASCENDING).out
+    assert "Cada ficha" in play(tmp_path, ASCENDING, "--lang", "es").out
+
+
+def test_a_session_in_the_record_can_be_replayed(tmp_path: Path) -> None:
+    play(tmp_path, ASCENDING)
+    store = record_to_read(str(tmp_path / "data"), str(tmp_path / "keys"))
+    (session,) = store.sessions()
+    store.close()
+    assert session.ended_utc is not None
+    where = ("--data", tmp_path / "data", "--keys", tmp_path / "keys")
+    kept = maestra("replay", session.session, *where)
+    assert kept.out == maestra("replay", tmp_path / "session.jsonl").out
+    missing = maestra("replay", "nobody", *where)
+    assert missing.code == 2
+    assert missing.err.startswith("maestra: session: nobody")
+
+
+def test_a_prompt_comes_when_it_is_due_at_a_terminal(monkeypatch: pytest.MonkeyPatch) -> None:
+    class Lines:
+        """A screen on which one line is typed, and then nothing."""
+
+        def lines(self) -> Iterator[str]:
+            yield "19"
+
+    class Under:
+        """A session with something due at once."""
+
+        session = None
+
+    waited = iter([0, 10_000_000])
+
+    def due(_session: object) -> int | None:
+        return next(waited, None)
+
+    monkeypatch.setattr(playing, "due", due)
+    empty = iter([queue.Empty(), None])
+
+    def get(_self: queue.Queue[str | None], timeout: float | None = None) -> str | None:
+        _ = timeout
+        if next(empty, None) is not None:
+            raise queue.Empty
+        return real(_self)
+
+    real = queue.Queue[str | None].get
+    monkeypatch.setattr(queue.Queue, "get", get)
+    lines = playing._at_terminal(Lines(), Under())  # type: ignore[arg-type] # as much as is used
+    assert [line for line, _ in lines] == [None, "19"]
