@@ -222,13 +222,14 @@ def compare(
 
     from maestra.cli.experiment_output import print_tables, write_page
     from maestra.cli.streams import print_json, progress
-    from maestra.experiments.compared import QUESTIONS, compared_table, needed
+    from maestra.experiments.compared import QUESTIONS, Needed, compared_table, needed
     from maestra.experiments.pages import table_json
-    from maestra.experiments.table import LEARNERS, measure
+    from maestra.experiments.table import LEARNERS, TableRow, measure
     from maestra.rules.paper import PAPER_EXERCISES
 
     keys = list(PAPER_EXERCISES) if exercise is None else [exercise.value]
-    papers, ours = [], []
+    papers: list[TableRow] = []
+    ours: list[Needed] = []
     with progress("learning", len(keys) * (len(LEARNERS) + len(QUESTIONS))) as advance:
         for key in keys:
             for learner in LEARNERS:
