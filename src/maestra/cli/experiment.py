@@ -236,7 +236,7 @@ def compare(
                 papers.append(measure(key, learner, repeat, time.perf_counter))
                 advance(1)
             for questions in QUESTIONS:
-                ours.append(needed(key, questions, draws, time.perf_counter))
+                ours.append(needed(key, questions, draws, time.process_time))
                 advance(1)
     made = compared_table(papers, ours)
     if page is not None:
@@ -279,7 +279,7 @@ def growth(
         return resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1024
 
     def speed(size: measuring.Size) -> measuring.Speed:
-        found = measuring.speed_of(size, repeat, time.perf_counter, memory_mb)
+        found = measuring.speed_of(size, repeat, time.process_time, memory_mb)
         advance(1)
         return found
 
