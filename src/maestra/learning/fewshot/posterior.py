@@ -145,7 +145,10 @@ class Search:
             return []
         involved = sorted({part for parts in candidates for part in parts})
         truths = [
-            np.array([self.truths.of(p, c) for p in involved], np.uint64) for c in self.needed
+            np.array([self.truths.of(p, c) for p in involved], np.uint64).reshape(
+                len(involved), self.truths.contexts[c].rows.everything.size
+            )
+            for c in self.needed
         ]
         words = [
             np.array([self.truths.of_all(parts, c) for parts in candidates]) for c in self.needed
