@@ -141,5 +141,5 @@ def test_without_proposals_any_row_is_right() -> None:
 def test_a_slip_is_not_looked_for_where_all_else_is_much_better() -> None:
     plays = on_larger((0, 2, 4, 5, 7), (1, 2, 3, 5, 6), (0, 1, 3, 4, 6), (0, 3, 2, 5, 7))
     search = search_of(evidence_of(*plays))
-    assert search._explaining(3, inf) != []
-    assert search._explaining(3, -1_000.0) == []
+    assert search.explaining(3, inf) != []
+    assert search.explaining(3, -1_000.0) == []
