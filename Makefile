@@ -80,6 +80,22 @@ examples: setup ## write the files in examples/
 .PHONY: bench
 bench: setup ## measure speed
 	$(BIN)/python -m pytest benchmarks --benchmark-enable --benchmark-only -p no:randomly --timeout=0
+	$(BIN)/maestra experiment growth --repeat 3
+
+FEWSHOT_EXERCISES ?= 500
+FEWSHOT_DRAWS ?= 100
+FEWSHOT_RESULTS ?= .cache/fewshot.jsonl
+FEWSHOT_PAGE := docs/reference/fewshot.md
+
+.PHONY: fewshot
+fewshot: setup ## measure few-shot learning anew for the docs; takes hours, goes on where it stopped
+	@mkdir -p $(dir $(FEWSHOT_RESULTS))
+	$(BIN)/maestra experiment fewshot --exercises $(FEWSHOT_EXERCISES) --draws $(FEWSHOT_DRAWS) \
+		--seed 1000 --results $(FEWSHOT_RESULTS) --csv docs/reference/experiments/fewshot.csv \
+		--page $(FEWSHOT_PAGE)
+	$(BIN)/maestra experiment compare --draws 20 --page $(FEWSHOT_PAGE)
+	$(BIN)/maestra experiment growth --repeat 5 --folder docs/reference/experiments \
+		--page $(FEWSHOT_PAGE)
 
 .PHONY: million
 million: setup ## read a million demonstrations: how fast, in how much memory

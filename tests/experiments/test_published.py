@@ -7,6 +7,10 @@ from typing import Final
 import pytest
 
 from maestra.experiments.curve import CurveSettings, curve_points
+from maestra.experiments.fewshot_findings import Finding, findings, findings_from_csv
+from maestra.experiments.fewshot_runs import Part, Run, fewshot_runs
+from maestra.experiments.fewshot_tables import tables
+from maestra.experiments.pages import filled
 from maestra.experiments.running import curve_csv, curve_runs
 from maestra.experiments.table import GROUNDED
 from maestra.rules.paper import PAPER_EXERCISES
@@ -35,3 +39,22 @@ def test_the_published_table_has_each_exercise_learned_exactly_with_the_papers_n
     for row in rows:
         assert row["outcome"] == "exact"
         assert row["demonstrations"] == row["lower_bound"] == row["fewest_in_paper"]
+
+
+def published_findings() -> list[Finding]:
+    return findings_from_csv((PUBLISHED / "fewshot.csv").read_text(encoding="utf-8"))
+
+
+def test_the_published_tables_of_few_shot_learning_are_those_of_the_published_findings() -> None:
+    page = (PUBLISHED.parent / "fewshot.md").read_text(encoding="utf-8")
+    made = tables(published_findings())
+    assert len(made) == 10
+    assert filled(page, made) == page
+
+
+@pytest.mark.parametrize("part", Part)
+def test_the_published_findings_of_few_shot_learning_begin_as_it_learns_now(part: Part) -> None:
+    published = [one for one in published_findings() if one.part is part]
+    first = published[0]
+    measured = list(findings(fewshot_runs([Run(part, first.seed, first.demonstrations)])))
+    assert measured == published[: len(measured)]

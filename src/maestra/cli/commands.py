@@ -40,7 +40,7 @@ class Learner(Enum):
     FEWSHOT = "fewshot"
 
 
-DEFAULT_LEARNER: Final = Learner.GROUNDED
+DEFAULT_LEARNER: Final = Learner.FEWSHOT
 """Of `learn` and `demo`."""
 
 
@@ -86,23 +86,26 @@ def learn(
         str, typer.Option("--output", "-o", metavar="EXERCISE.json", help="Where to write it.")
     ],
     learner: Annotated[
-        Learner,
+        Learner | None,
         typer.Option(
-            help="The paper's preconditions directly, or by planning as in the paper; or rules "
-            "from a few demonstrations."
+            help="Rules from a few demonstrations; or the paper's preconditions, directly or by "
+            "planning.  [default: fewshot; grounded with --features or --level]"
         ),
-    ] = DEFAULT_LEARNER,
+    ] = None,
     features: Annotated[
         str | None,
-        typer.Option(metavar="NAME,NAME", help="The features that count; `features` lists them."),
+        typer.Option(
+            metavar="NAME,NAME",
+            help="The features that preconditions may look at; `features` lists them.",
+        ),
     ] = None,
     level: Annotated[
-        LevelName,
+        LevelName | None,
         typer.Option(
-            help="What rules may look at: relations to the goal row (A), also what "
-            "lies there (B), the whole board (C)."
+            help="What preconditions may look at: relations to the goal row (A), also what "
+            "lies there (B), the whole board (C).  [default: A]"
         ),
-    ] = LevelName.A,
+    ] = None,
     engine: Annotated[
         Engine | None,
         typer.Option(help="The planner for `--learner compiled`.  [default: clingo]"),
@@ -124,14 +127,18 @@ def learn(
     json: Json = False,
 ) -> None:
     """Learn an exercise from demonstrations."""
+    if learner is None:
+        precondition = features is not None or level is not None
+        learner = Learner.GROUNDED if precondition else DEFAULT_LEARNER
     if learner is not Learner.COMPILED and (engine is not None or compiled_pddl is not None):
         option = "--compiled-pddl" if engine is None else "--engine"
         raise typer.BadParameter(f"{option} needs --learner compiled")
     if json and output == "-":
         raise typer.BadParameter("--json and --output - both want standard output")
     if learner is Learner.FEWSHOT:
-        if features is not None:
-            raise typer.BadParameter("--features needs --learner grounded or compiled")
+        if features is not None or level is not None:
+            option = "--level" if features is None else "--features"
+            raise typer.BadParameter(f"{option} needs --learner grounded or compiled")
         from maestra.cli import teaching
 
         teaching.learn_by_few(demonstrations, output, lang.value, words, as_json=json)
@@ -143,7 +150,8 @@ def learn(
         name = (engine or Engine.CLINGO).value
         planning = learning.Planning(name, time_limit, memory_limit, compiled_pddl)
     names = None if features is None else tuple(features.split(","))
-    request = learning.Request(demonstrations, output, names, level.value, planning)
+    chosen = (level or LevelName.A).value
+    request = learning.Request(demonstrations, output, names, chosen, planning)
     learning.learn(request, lang.value, words, as_json=json)
 
 

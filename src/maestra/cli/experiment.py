@@ -222,20 +222,21 @@ def compare(
 
     from maestra.cli.experiment_output import print_tables, write_page
     from maestra.cli.streams import print_json, progress
-    from maestra.experiments.compared import QUESTIONS, compared_table, needed
+    from maestra.experiments.compared import QUESTIONS, Needed, compared_table, needed
     from maestra.experiments.pages import table_json
-    from maestra.experiments.table import LEARNERS, measure
+    from maestra.experiments.table import LEARNERS, TableRow, measure
     from maestra.rules.paper import PAPER_EXERCISES
 
     keys = list(PAPER_EXERCISES) if exercise is None else [exercise.value]
-    papers, ours = [], []
+    papers: list[TableRow] = []
+    ours: list[Needed] = []
     with progress("learning", len(keys) * (len(LEARNERS) + len(QUESTIONS))) as advance:
         for key in keys:
             for learner in LEARNERS:
                 papers.append(measure(key, learner, repeat, time.perf_counter))
                 advance(1)
             for questions in QUESTIONS:
-                ours.append(needed(key, questions, draws, time.perf_counter))
+                ours.append(needed(key, questions, draws, time.process_time))
                 advance(1)
     made = compared_table(papers, ours)
     if page is not None:
@@ -278,7 +279,7 @@ def growth(
         return resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1024
 
     def speed(size: measuring.Size) -> measuring.Speed:
-        found = measuring.speed_of(size, repeat, time.perf_counter, memory_mb)
+        found = measuring.speed_of(size, repeat, time.process_time, memory_mb)
         advance(1)
         return found
 

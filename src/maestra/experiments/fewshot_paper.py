@@ -75,7 +75,8 @@ def paper_trials(
     for most, lesson in zip(questions, lessons(sample, shown, questions), strict=True):
         if lesson.rules not in known:
             known[lesson.rules] = allows_the_same(sample, lesson.rules)
-        outcomes.append(outcome(sample, most, lesson, (known[lesson.rules],) * 2))
+        exact = known[lesson.rules]
+        outcomes.append(outcome(sample, most, lesson, (exact, exact)))
     return tuple(outcomes)
 
 

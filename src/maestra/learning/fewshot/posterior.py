@@ -120,9 +120,9 @@ class Search:
 
     def best(self) -> list[Found]:
         """The best conjunctions, best first, none worse than `WITHIN` bits than the best."""
-        found = self._explaining(None, inf)
+        found = self.explaining(None, inf)
         for slip in self._suspects:
-            found += self._explaining(slip, min(one.bits for one in found))
+            found += self.explaining(slip, min(one.bits for one in found))
         found.sort(key=lambda one: one.bits)
         return [one for one in found[:KEPT] if one.bits <= found[0].bits + WITHIN]
 
@@ -135,7 +135,7 @@ class Search:
             return ()
         return tuple(k for k in range(len(self.layouts)) if 1 << k in broken)
 
-    def _explaining(self, slip: int | None, known: float) -> list[Found]:
+    def explaining(self, slip: int | None, known: float) -> list[Found]:
         """The conjunctions of which just layout `slip` is no case; better ones are `known`."""
         allowed = 0 if slip is None else 1 << slip
         survivors = self.truths.survivors
@@ -145,7 +145,10 @@ class Search:
             return []
         involved = sorted({part for parts in candidates for part in parts})
         truths = [
-            np.array([self.truths.of(p, c) for p in involved], np.uint64) for c in self.needed
+            np.array([self.truths.of(p, c) for p in involved], np.uint64).reshape(
+                len(involved), self.truths.contexts[c].rows.everything.size
+            )
+            for c in self.needed
         ]
         words = [
             np.array([self.truths.of_all(parts, c) for parts in candidates]) for c in self.needed

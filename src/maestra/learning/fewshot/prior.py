@@ -106,7 +106,6 @@ class Kind(Enum):
     BEFORE = "before"
     FOLLOWS = "follows"
     TAKE_EXTREME = "take-extreme"
-    PATTERN_IN_TIME = "pattern-in-time"
     # J. Counting
     COUNT = "count"
     COUNT_BEYOND = "count-beyond"
@@ -191,7 +190,6 @@ KIND_BITS: Final[Mapping[Kind, float]] = MappingProxyType(
         Kind.BEFORE: 2.0,
         Kind.FOLLOWS: 2.0,
         Kind.TAKE_EXTREME: 2.0,
-        Kind.PATTERN_IN_TIME: 4.5,
         # J. Counting
         Kind.COUNT: 1.0,
         Kind.COUNT_BEYOND: 2.8,

@@ -71,10 +71,9 @@ def _row_sums(shown: Shown, attribute: str) -> Iterator[Proposal]:
     span = shown.span(attribute) * shown.setting.length
     found = {shown.sum_of(play, attribute) for play in shown.plays} - {None}
     sums = sorted(one for one in found if one is not None)
-    for one in sums:
-        if (number := as_number(one)) is not None:
-            rule = Total(attribute, Comparison.EQUAL, number)
-            yield Proposal(Kind.TOTAL, (rule,), cost + round_bits(number, span / 3))
+    for number in [n for one in sums if (n := as_number(one)) is not None]:
+        rule = Total(attribute, Comparison.EQUAL, number)
+        yield Proposal(Kind.TOTAL, (rule,), cost + round_bits(number, span / 3))
     for unit in UNITS if sums else ():
         bound = one_of(span / unit)
         least, most = unit * floor(sums[0] / unit), unit * ceil(sums[-1] / unit)
