@@ -1,10 +1,10 @@
 """Rows drawn where there are too many to list, each with how many it stands for.
 
 Each scheme is a conjunction of rules about slots and pairs of slots; its rows are drawn from
-left to right, every token that the rules still allow being equally likely, so the chance of a
-row is the product of one over the numbers of choices [1]. A row from any scheme stands for
-1 / (sum over schemes of draws x chance) rows, the balance heuristic [2]: sums over drawn rows
-are unbiased, and exact in variance where one scheme is the very rule that is counted.
+left to right, a token that the rules still allow being the likelier the more chains of
+neighbours it can begin, so the chance of a row is the product of its choices' shares [1]. A row
+from any scheme stands for 1 / (sum over schemes of draws x chance) rows, the balance heuristic
+[2]: sums over drawn rows are unbiased, and exact where one scheme is an order that is counted.
 
 Nothing is random: the numbers are a hash of the seed.
 
@@ -47,6 +47,9 @@ class Scheme:
     """For each goal cell: earlier cells, and which tokens go with which there."""
     gaps: bool
     """Whether a cell may stay empty."""
+    ahead: tuple[NDArray[np.float64], ...]
+    """For each goal cell, by token: how many chains of neighbours to the right end begin so, up
+    to a factor."""
 
 
 def sampled(
@@ -65,6 +68,8 @@ def sampled(
     drawn = [draw(setting, one, DRAWS, seed + k) for k, one in enumerate(schemes)]
     rows = np.concatenate([np.array(shown, np.int16), *drawn])
     rows, inverse, counts = np.unique(rows, axis=0, return_inverse=True, return_counts=True)
+    # What was shown was not drawn: counted as a draw, a rare row would stand for far too many.
+    np.subtract.at(counts, inverse.ravel()[: len(shown)], 1)
     chances = sum(chance(setting, one, rows) for one in schemes)
     weight = np.maximum(counts / (DRAWS * np.maximum(chances, 1e-300)), 0.0)
     own = np.zeros(len(rows), np.bool_)
@@ -120,7 +125,24 @@ def _scheme(setting: Setting, rules: Sequence[EachSlot | Pairwise], *, gaps: boo
     for cell, token in enumerate(setting.given):
         if token is not None:
             slots[cell] = np.arange(tokens) == token
-    return Scheme(tuple(slots), tuple(map(tuple, links)), gaps)
+    return Scheme(tuple(slots), tuple(map(tuple, links)), gaps, _ahead(slots, links))
+
+
+def _ahead(
+    slots: Sequence[Truth], links: Sequence[Sequence[tuple[int, Truth]]]
+) -> tuple[NDArray[np.float64], ...]:
+    """Chains counted from the right end; exact for an order, where no token comes twice."""
+    tokens = len(slots[0])
+    chains = [np.ones(tokens) for _ in slots]
+    for cell in range(len(slots) - 2, -1, -1):
+        goes = np.broadcast_to(slots[cell + 1], (tokens, tokens)).astype(np.float64)
+        for earlier, matrix in links[cell + 1]:
+            if earlier == cell:
+                goes = goes * matrix[:tokens]
+        found = goes @ chains[cell + 1]
+        # Only shares matter: numbers are kept from growing without end.
+        chains[cell] = found / max(float(found.max()), 1e-300)
+    return tuple(chains)
 
 
 def _choices(scheme: Scheme, rows: Tokens, cell: int) -> Truth:
@@ -135,19 +157,27 @@ def _choices(scheme: Scheme, rows: Tokens, cell: int) -> Truth:
     return free
 
 
+def _shares(
+    setting: Setting, scheme: Scheme, rows: Tokens, cell: int
+) -> NDArray[np.float64]:
+    """For each row how likely each token is to come on `cell`, and in the last column nobody."""
+    share = _choices(scheme, rows, cell) * scheme.ahead[cell]
+    gap = scheme.gaps and setting.given[cell] is None
+    nobody = share.mean(axis=1) + 1e-9 if gap else np.zeros(len(rows))
+    return np.column_stack([share, nobody])
+
+
 def draw(setting: Setting, scheme: Scheme, number: int, seed: int) -> Tokens:
     """Rows drawn from left to right; fewer than `number` where some came to a dead end."""
     rows = np.full((number, setting.length), NOBODY, np.int16)
     alive = np.ones(number, np.bool_)
     for cell in range(setting.length):
-        free = _choices(scheme, rows, cell)
-        gap = scheme.gaps and setting.given[cell] is None
-        count = free.sum(axis=1) + gap
-        alive &= count > 0
-        which = (uniform(number, seed * 1_000 + cell) * count).astype(np.int64)
-        rank = np.cumsum(free, axis=1) - 1
-        found = (rank == which[:, None]) & free
-        rows[:, cell] = np.where(found.any(axis=1), found.argmax(axis=1), NOBODY)
+        shares = np.cumsum(_shares(setting, scheme, rows, cell), axis=1)
+        total = shares[:, -1]
+        alive &= total > 0
+        level = uniform(number, seed * 1_000 + cell) * total
+        which = (shares <= level[:, None]).sum(axis=1)
+        rows[:, cell] = np.where(which < shares.shape[1] - 1, which, NOBODY)
     return rows[alive]
 
 
@@ -155,11 +185,10 @@ def chance(setting: Setting, scheme: Scheme, rows: Tokens) -> NDArray[np.float64
     """How likely `draw` is to draw each row."""
     likely = np.ones(len(rows))
     for cell in range(setting.length):
-        free = _choices(scheme, rows, cell)
-        gap = scheme.gaps and setting.given[cell] is None
-        lies = rows[:, cell]
-        may = np.where(lies == NOBODY, gap, free[np.arange(len(rows)), lies])
-        likely *= may / np.maximum(free.sum(axis=1) + gap, 1)
+        shares = _shares(setting, scheme, rows, cell)
+        # Nobody, -1, is the last column.
+        mine = shares[np.arange(len(rows)), rows[:, cell]]
+        likely *= mine / np.maximum(shares.sum(axis=1), 1e-300)
     return likely
 
 
