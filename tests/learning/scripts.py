@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection, Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import replace
 from typing import Final, TypeAlias
 
@@ -17,7 +17,7 @@ from maestra.rules.exercise import LearnStatus
 from maestra.rules.forms.base import Direction
 from maestra.rules.forms.length import FullRow
 from maestra.rules.forms.order import Ordered
-from maestra.rules.setting import Index, play_of
+from maestra.rules.setting import play_of
 from tests.learning.caregivers import small
 
 RISING: Final = Ordered("value", Direction.RISING, strict=True)
@@ -48,25 +48,18 @@ class Scripted:
         """Play `scenes`."""
         self.scenes = list(scenes)
         self.shown: list[tuple[str, ...]] = []
-        self.confirmed: list[set[Index]] = []
 
     def learn(
-        self,
-        shown: Sequence[Demonstration],
-        answers: Sequence[Answer] = (),
-        seed: int = 0,
-        *,
-        confirmed: Collection[Index] = (),
+        self, shown: Sequence[Demonstration], answers: Sequence[Answer] = (), seed: int = 0
     ) -> Lesson:
         """The next lesson; its rules are the ascending ones."""
-        self.confirmed.append(set(confirmed))
         self.shown.append(tuple("".join(m.token for m in one.moves) for one in shown))
         status, slips = self.scenes.pop(0) if len(self.scenes) > 1 else self.scenes[0]
         sure = 0.98 if status is LearnStatus.LEARNED else 0.6
         return replace(
             learn(shown, (), seed),
             status=status,
-            slips=tuple(one for one in slips if one.demonstration not in confirmed),
+            slips=slips,
             answers=tuple(answers),
             rules=(FullRow(), RISING),
             confidences=(1.0, sure),

@@ -39,7 +39,6 @@ from maestra.learning.dialogue import (
     step,
 )
 from maestra.learning.fewshot.lesson import Lesson
-from maestra.rules.exercise import LearnStatus
 from maestra.learning.fewshot.questions import QuestionKind
 from maestra.rules.answers import Answer, Reply
 from maestra.rules.exercise import LearnStatus

@@ -112,7 +112,7 @@ def test_the_same_lesson_comes_of_the_same_evidence() -> None:
 
 def test_an_equal_row_counts_once() -> None:
     again = [UP[0], UP[1], shown(ROWS[0], 4)]
-    evidence = Evidence(tuple(again), (), 0, frozenset())
+    evidence = Evidence(tuple(again), (), 0)
     assert evidence.distinct == (0, 1)
     assert len(evidence.layouts) == 2
     assert learn(UP[:1] * 3).status is LearnStatus.AMBIGUOUS
@@ -284,9 +284,8 @@ def test_a_slip_is_pointed_out_with_its_move() -> None:
     assert lesson.slips[0].confidence > 0.5
 
 
-@pytest.mark.parametrize("confirmed", [(4,), range(5)])
-def test_what_was_confirmed_is_no_slip(confirmed: Sequence[int]) -> None:
-    lesson = learn(SLIPPED, confirmed=confirmed)
+def test_what_was_confirmed_is_no_slip() -> None:
+    lesson = learn(SLIPPED, [Answer(RowQuestion(play_of(SLIPPED[4])), Reply.YES)])
     assert lesson.slips == ()
     assert all(one.slip != 4 for one in lesson.belief.classes)
     assert RISING not in lesson.rules
@@ -294,7 +293,8 @@ def test_what_was_confirmed_is_no_slip(confirmed: Sequence[int]) -> None:
 
 
 def test_a_row_that_was_shown_again_and_confirmed_is_no_slip() -> None:
-    lesson = learn([*SLIPPED, SLIPPED[4]], confirmed=[5])
+    again = [*SLIPPED, SLIPPED[4]]
+    lesson = learn(again, [Answer(RowQuestion(play_of(again[5])), Reply.YES)])
     assert lesson.slips == ()
 
 

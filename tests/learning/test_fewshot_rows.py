@@ -194,7 +194,7 @@ def test_rows_from_one_start_are_drawn_once() -> None:
         shown(tokens, 0, order, big(20), Board(5, 8))
         for tokens, order in ((range(8), range(8)), (range(1, 9), range(7, -1, -1)))
     ]
-    one, other, elsewhere = Evidence(tuple(plays), (), 0, frozenset()).contexts
+    one, other, elsewhere = Evidence(tuple(plays), (), 0).contexts
     assert one.order != other.order
     assert one.rows is other.rows is not elsewhere.rows
 

@@ -26,7 +26,7 @@ LARGER, WIDE = Deck(DECK.tokens[:8]), Board(4, 5)
 
 
 def evidence_of(*plays: Demonstration, answers: tuple[Answer, ...] = ()) -> Evidence:
-    return Evidence(plays, answers, 0, frozenset())
+    return Evidence(plays, answers, 0)
 
 
 def on_small(*rows: tuple[int, ...]) -> tuple[Demonstration, ...]:

@@ -42,6 +42,9 @@ from maestra.rules.plays import NOBODY, Tokens, Truth
 from maestra.rules.rule import Rule
 from maestra.rules.setting import Index, Play, Setting, play_of
 
+_TokenRow: TypeAlias = tuple[TokenId | None, ...]
+"""What lies on each goal cell, whatever the start."""
+
 Place: TypeAlias = tuple[Setting, Order]
 """What tells contexts apart."""
 
@@ -55,8 +58,6 @@ class Evidence:
     answers: tuple[Answer, ...]
     seed: int
     """Of the sample that stands for the rows where they are too many to list."""
-    confirmed: frozenset[Index]
-    """Demonstrations that are no slips for certain."""
 
     @cached_property
     def plays(self) -> tuple[Play, ...]:
@@ -65,19 +66,17 @@ class Evidence:
         return tuple(map(play_of, self.demonstrations, settings))
 
     @cached_property
-    def _showings(self) -> tuple[tuple[Index, ...], ...]:
-        """The plays that show the same row, for each row."""
-        found: dict[tuple[TokenId | None, ...], tuple[Index, ...]] = {}
+    def _showings(self) -> dict[_TokenRow, Index]:
+        """Each row that was shown, with the first play that shows it."""
+        found: dict[_TokenRow, Index] = {}
         for k, play in enumerate(self.plays):
-            ids = [token.id for token in play.setting.deck.tokens]
-            row = tuple(None if token is None else ids[token] for token in play.row)
-            found[row] = (*found.get(row, ()), k)
-        return tuple(found.values())
+            found.setdefault(_token_row(play), k)
+        return found
 
     @cached_property
     def distinct(self) -> tuple[Index, ...]:
         """The plays that show a row for the first time: equal rows count once."""
-        return tuple(showings[0] for showings in self._showings)
+        return tuple(self._showings.values())
 
     @cached_property
     def full(self) -> bool:
@@ -95,8 +94,13 @@ class Evidence:
         first = [self.plays[k] for k in self.distinct]
         again = [play for k, play in enumerate(self.plays) if k not in self.distinct]
         found = surviving([*first, *again], timed=self.timed, slips=int(len(first) > 1))
-        # A row that is shown again, from another start, is no slip.
-        sure = {1 << k for k, one in enumerate(self._showings) if self.confirmed.intersection(one)}
+        # A row that is shown again, from another start, is no slip; nor is one said to be right.
+        said = {
+            _token_row(answer.question.play)
+            for answer in self.answers
+            if isinstance(answer.question, RowQuestion) and answer.reply is Reply.YES
+        }
+        sure = {1 << k for k, row in enumerate(self._showings) if row in said}
         return tuple(
             one for one in found if one.broken < 1 << len(first) and one.broken not in sure
         )
@@ -207,6 +211,11 @@ class Evidence:
         """The rules that hold of all plays, the shortest first."""
         whole = [one for one in self.survivors if not one.broken]
         return [rule for one in sorted(whole, key=lambda one: one.bits) for rule in one.rules]
+
+
+def _token_row(play: Play) -> _TokenRow:
+    ids = [token.id for token in play.setting.deck.tokens]
+    return tuple(None if token is None else ids[token] for token in play.row)
 
 
 def elsewhere(setting: Setting) -> Setting:

@@ -7,7 +7,7 @@ the search finds the conjunctions that explain it (`posterior`), people's habits
 
 from __future__ import annotations
 
-from collections.abc import Collection, Sequence
+from collections.abc import Sequence
 from typing import Final
 
 from maestra.core.demonstration import Demonstration
@@ -22,7 +22,6 @@ from maestra.rules.exercise import LearnStatus
 from maestra.rules.forms.length import FullRow
 from maestra.rules.forms.timing import FillOrder
 from maestra.rules.rule import Rule
-from maestra.rules.setting import Index
 
 PLAUSIBLE: Final = 0.001
 """Weight from which a hypothesis counts for the safe bound."""
@@ -34,16 +33,13 @@ def learn(
     demonstrations: Sequence[Demonstration],
     answers: Sequence[Answer] = (),
     seed: int = 0,
-    *,
-    confirmed: Collection[Index] = (),
 ) -> Lesson:
     """The lesson of at least one demonstration, all on boards with as many goal cells.
 
     Args:
         demonstrations: what was shown.
-        answers: what was said to questions.
+        answers: what was said to questions; a shown row that is said to be right is no slip.
         seed: of the sample that stands for the rows where they are too many to list.
-        confirmed: demonstrations, from 0, that are no slips for certain.
 
     Raises:
         ValueError: no demonstration.
@@ -51,7 +47,7 @@ def learn(
     """
     if not demonstrations:
         raise ValueError("no demonstration")
-    evidence = Evidence(tuple(demonstrations), tuple(answers), seed, frozenset(confirmed))
+    evidence = Evidence(tuple(demonstrations), tuple(answers), seed)
     return _told(evidence, belief_from(evidence))
 
 

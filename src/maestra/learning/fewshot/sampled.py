@@ -157,9 +157,7 @@ def _choices(scheme: Scheme, rows: Tokens, cell: int) -> Truth:
     return free
 
 
-def _shares(
-    setting: Setting, scheme: Scheme, rows: Tokens, cell: int
-) -> NDArray[np.float64]:
+def _shares(setting: Setting, scheme: Scheme, rows: Tokens, cell: int) -> NDArray[np.float64]:
     """For each row how likely each token is to come on `cell`, and in the last column nobody."""
     share = _choices(scheme, rows, cell) * scheme.ahead[cell]
     gap = scheme.gaps and setting.given[cell] is None

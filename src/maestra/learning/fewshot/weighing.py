@@ -55,6 +55,12 @@ class _Weighing:
         bits = np.array([*(one.bits for one in classes), self._of_nothing()])
         weights = np.exp2(-(bits - bits.min()))
         weights /= weights.sum()
+        filling = fillings(evidence.plays, evidence.answers)
+        # Any row in any order is no exercise: so far it is about something that cannot be said.
+        free = np.array([not one.parts for one in classes])
+        idle = weights[:-1] * free * dict(filling)[None]
+        weights[:-1] -= idle
+        weights[-1] += idle.sum()
         order = np.argsort(-weights[:-1], kind="stable")
         return Belief(
             evidence.plays,
@@ -62,7 +68,7 @@ class _Weighing:
             self.truths,
             tuple(classes[int(k)] for k in order),
             tuple(map(float, weights[order])),
-            fillings(evidence.plays, evidence.answers),
+            filling,
             float(weights[-1]),
             evidence.full,
         )
