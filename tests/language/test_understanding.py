@@ -412,7 +412,23 @@ LONGEST_SECONDS = 60.0
 """On a machine that does other things too."""
 
 
+<<<<<<< HEAD
 @pytest.mark.parametrize("piece", ["red or blue and ", "1 ", "a, b, ", "( [ {0} % \\ / "])
+=======
+@pytest.mark.parametrize(
+    "piece",
+    [
+        "only even numbers ",
+        "red or blue and ",
+        "1 ",
+        "a, b, ",
+        "from left to right ",
+        "each token must be odd and ",
+        "( [ {0} % \\ / ",
+        "ñ",
+    ],
+)
+>>>>>>> 0d2fba2 (Read sentences as rules with the tables that say them)
 def test_the_longest_sentences_are_answered_in_time(piece: str) -> None:
     began = time.perf_counter()
     text = (piece * MAX_SENTENCE)[:MAX_SENTENCE]
