@@ -18,10 +18,11 @@ from benchmarks.lessons import (
 from benchmarks.stopwatch import Arguments, Stopwatch
 from maestra.core.board import Board
 from maestra.core.demonstration import Demonstration
-from maestra.core.state import Move, State
+from maestra.core.state import Move
 from maestra.core.tokens import Deck
 from maestra.learning.grounded import learn_grounded
 from maestra.rules.judging import Judge
+from maestra.rules.position import Position
 
 PAPER = (PAPER_BOARD, PAPER_DECK)
 LARGE = (LARGE_BOARD, LARGE_DECK)
@@ -35,11 +36,13 @@ def lesson_of(board: Board, deck: Deck) -> list[Demonstration]:
     return random_lesson(board, deck, 100, Random(1))
 
 
-def positions(plays: list[Demonstration]) -> Iterator[tuple[State, int, Move]]:
-    """Every move of the plays, with the state before it and the moves made by then."""
+def positions(plays: list[Demonstration]) -> Iterator[tuple[Position, Move]]:
+    """Every move of the plays, with the position before it."""
     for play in plays:
-        for made, (state, move) in enumerate(zip(play.states(), play.moves, strict=False)):
-            yield state, made, move
+        position = Position.begin(play.start)
+        for move in play.moves:
+            yield position, move
+            position = position.after(move)
 
 
 @pytest.mark.benchmark(group="judge a move")
@@ -79,4 +82,4 @@ def test_judge_the_first_move(benchmark: Stopwatch, setting: tuple[Board, Deck])
 def test_every_allowed_move(benchmark: Stopwatch, setting: tuple[Board, Deck]) -> None:
     lesson = lesson_of(*setting)
     judge = Judge(learn_grounded(lesson), setting[1])
-    assert benchmark(lambda: list(judge.allowed_moves(lesson[0].start, 0)))
+    assert benchmark(lambda: list(judge.allowed_moves(Position.begin(lesson[0].start))))
