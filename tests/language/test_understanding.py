@@ -94,7 +94,7 @@ def test_every_example_is_understood(language: Language) -> None:
         assert (said, heard.understand(said)) == (said, Understood((canonical(rule),)))
 
 
-SAID: list[tuple[Language, str, str, tuple[Rule, ...]]] = [
+_IN_ENGLISH: list[tuple[Language, str, str, tuple[Rule, ...]]] = [
     (Language.EN, "numbers", sentence, rules)
     for rules, sentences in (
         (
@@ -158,7 +158,7 @@ SAID: list[tuple[Language, str, str, tuple[Rule, ...]]] = [
     )
     for sentence in sentences
 ]
-SAID += [
+_IN_OTHER_WORDS: list[tuple[Language, str, str, tuple[Rule, ...]]] = [
     (language, deck, sentence, rules)
     for language, deck, rules, sentences in (
         (
@@ -283,7 +283,9 @@ SAID += [
 ]
 
 
-@pytest.mark.parametrize(("language", "deck", "sentence", "rules"), SAID)
+@pytest.mark.parametrize(
+    ("language", "deck", "sentence", "rules"), [*_IN_ENGLISH, *_IN_OTHER_WORDS]
+)
 def test_other_words_say_the_same(
     language: Language, deck: str, sentence: str, rules: tuple[Rule, ...]
 ) -> None:
@@ -412,23 +414,7 @@ LONGEST_SECONDS = 60.0
 """On a machine that does other things too."""
 
 
-<<<<<<< HEAD
 @pytest.mark.parametrize("piece", ["red or blue and ", "1 ", "a, b, ", "( [ {0} % \\ / "])
-=======
-@pytest.mark.parametrize(
-    "piece",
-    [
-        "only even numbers ",
-        "red or blue and ",
-        "1 ",
-        "a, b, ",
-        "from left to right ",
-        "each token must be odd and ",
-        "( [ {0} % \\ / ",
-        "ñ",
-    ],
-)
->>>>>>> 0d2fba2 (Read sentences as rules with the tables that say them)
 def test_the_longest_sentences_are_answered_in_time(piece: str) -> None:
     began = time.perf_counter()
     text = (piece * MAX_SENTENCE)[:MAX_SENTENCE]
