@@ -94,7 +94,7 @@ def test_every_example_is_understood(language: Language) -> None:
         assert (said, heard.understand(said)) == (said, Understood((canonical(rule),)))
 
 
-SAID: list[tuple[Language, str, str, tuple[Rule, ...]]] = [
+_IN_ENGLISH: list[tuple[Language, str, str, tuple[Rule, ...]]] = [
     (Language.EN, "numbers", sentence, rules)
     for rules, sentences in (
         (
@@ -158,7 +158,7 @@ SAID: list[tuple[Language, str, str, tuple[Rule, ...]]] = [
     )
     for sentence in sentences
 ]
-SAID += [
+_IN_OTHER_WORDS: list[tuple[Language, str, str, tuple[Rule, ...]]] = [
     (language, deck, sentence, rules)
     for language, deck, rules, sentences in (
         (
@@ -283,7 +283,9 @@ SAID += [
 ]
 
 
-@pytest.mark.parametrize(("language", "deck", "sentence", "rules"), SAID)
+@pytest.mark.parametrize(
+    ("language", "deck", "sentence", "rules"), [*_IN_ENGLISH, *_IN_OTHER_WORDS]
+)
 def test_other_words_say_the_same(
     language: Language, deck: str, sentence: str, rules: tuple[Rule, ...]
 ) -> None:

@@ -255,7 +255,7 @@ def demo(
         Learner, typer.Option(help="How it learns; by few demonstrations it asks, too.")
     ] = DEFAULT_LEARNER,
 ) -> None:
-    """Teach and play the paper's exercises in the terminal."""
+    """Teach, or accompany a patient, step by step."""
     if learner is Learner.COMPILED:
         raise typer.BadParameter("--learner: grounded or fewshot, planning takes too long here")
     from maestra.cli import demo_terminal
@@ -292,7 +292,7 @@ def play(
         bool, typer.Option("--speak/--quiet", help="Speak aloud, if espeak-ng is there.")
     ] = True,
 ) -> None:
-    """Accompany a patient who plays an exercise; exit 1 if it was not completed."""
+    """Accompany a patient who plays; exit 1 if not completed."""
     from maestra.cli import playing
 
     wanted = playing.Wanted(

@@ -40,7 +40,7 @@ def edit(
     *,
     rule: Annotated[
         tuple[str, str] | None,
-        typer.Option(metavar="ID SENTENCE", help="What the rule shall say instead."),
+        typer.Option(metavar="ID SENTENCE", help="What it shall say; see `explain --json`."),
     ] = None,
     add: Annotated[str | None, typer.Option(metavar="SENTENCE", help="One more rule.")] = None,
     remove: Annotated[str | None, typer.Option(metavar="ID", help="The rule goes.")] = None,
@@ -51,7 +51,7 @@ def edit(
     words: Words = None,
     json: Json = False,
 ) -> None:
-    """Change the rules of an exercise in words; `explain --json` tells their ids."""
+    """Change the rules of an exercise in words."""
     if rule is None and add is None and remove is None:
         raise typer.BadParameter("one of --rule, --add and --remove is needed")
     if json and output == "-":

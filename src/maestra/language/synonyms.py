@@ -37,6 +37,3 @@ class Synonyms:
     less: tuple[str, ...] = ()
     most: tuple[str, ...] = ()
     least: tuple[str, ...] = ()
-    tokens: tuple[str, ...] = ()
-    """What else tokens are called."""
-    values: Mapping[str, tuple[str, ...]] = field(default_factory=dict[str, tuple[str, ...]])

@@ -251,7 +251,6 @@ SYNONYMS: Final = Synonyms(
         Key.SUBJECT_MUST: ("{subject} {does}",),
     },
     predicates={
-        Predicate.MORE: (("be", "{adjective} as {other}"),),
         Predicate.ABOVE: (
             ("be", "more than {k}"),
             ("be", "larger than {k}"),
@@ -259,7 +258,6 @@ SYNONYMS: Final = Synonyms(
         ),
         Predicate.BELOW: (("be", "less than {k}"), ("be", "smaller than {k}")),
         Predicate.PRIME: (("be", "a prime number"),),
-        Predicate.SAME: (("have", "same {attribute}"),),
         Predicate.DIFFERENT: (
             ("have", "a different {attribute} than {other}"),
             ("have", "a different {attribute} from {other}"),

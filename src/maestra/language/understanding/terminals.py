@@ -142,9 +142,7 @@ class Terminals:
         spoken = self.speaker.spoken(ValueNamed(attribute, value))
         yield spoken.text
         word = self.speaker.words.values.get((attribute, value), value)
-        for form in word.split("|"):
-            yield form
-            yield from self.synonyms.values.get(form, ())
+        yield from word.split("|")
 
     def _of_rows(self) -> Iterator[tuple[str, object]]:
         for row in range(MAX_PLACES + 1):
