@@ -13,7 +13,7 @@ from maestra.core.board import Board, Cell, Column, Row
 from maestra.core.state import State
 from maestra.core.tokens import Deck, Token, TokenId
 from maestra.language import NO_LEXICON, Language
-from maestra.rules.exercise import LearnStatus
+from maestra.learning.fewshot.lesson import Status
 from maestra.rules.position import Position
 from tests.cli.running import maestra
 from tests.learning.scripts import AMBIGUOUS, LEARNED, scripted, slip
@@ -450,7 +450,7 @@ def test_who_is_sure_asks_nothing(monkeypatch: pytest.MonkeyPatch) -> None:
 
 
 def test_a_user_who_takes_everything_back_begins_again(monkeypatch: pytest.MonkeyPatch) -> None:
-    scripted(monkeypatch, (LearnStatus.LEARNED, (slip(0),)))
+    scripted(monkeypatch, (Status.LEARNED, (slip(0),)))
     session = by_few("2", "show me", "play", "no")
     assert isinstance(session.stage, Teaching)
     assert session.stage.taught.shown == ()
