@@ -14,7 +14,6 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
-from itertools import combinations
 from math import inf, log2
 from typing import Final, TypeAlias
 
@@ -178,19 +177,21 @@ class Search:
         limit = min(found.values()) + WITHIN
         survivors = self.truths.survivors
         own = np.array([survivors[p].bits for p in involved])
+        added = np.array([survivors[p].added for p in involved])
         keys: list[Parts] = []
         words: list[list[Words]] = [[] for _ in self.needed]
         for k, parts in enumerate(frontier.parts):
             mine = [w[k] for w in frontier.words]
             # What costs too much alone need not be looked at.
-            some = np.flatnonzero(own + sum(survivors[p].bits for p in parts) < limit)
+            joined = [and_bits([*(survivors[p].added for p in parts), one]) for one in added]
+            some = np.flatnonzero(own + sum(survivors[p].bits for p in parts) + joined < limit)
             both = [w & t[some] for w, t in zip(mine, truths, strict=True)]
             less = np.zeros(len(some), np.bool_)
             for w, longer in zip(mine, both, strict=True):
                 less |= (longer != w).any(axis=1)
             for place in np.flatnonzero(less):
                 key = tuple(sorted((*parts, involved[int(some[place])])))
-                if key not in found and self._prior(key) < limit:
+                if key not in found:
                     found[key] = inf
                     keys.append(key)
                     for w, longer in zip(words, both, strict=True):
@@ -219,9 +220,21 @@ class Search:
         limit = min(known, float(bits.min())) + WITHIN
         best = np.argsort(bits, kind="stable")[:CANDIDATES]
         best = best[bits[best] <= limit]
-        parts: list[Parts] = [(part,) for part in usable]
-        parts += [(min(pair), max(pair)) for pair in combinations(few, 2)]
-        return [*nothing, *(parts[int(k)] for k in best)]
+        return [*nothing, *(self._parts_at(int(k), usable, few, ones, twos) for k in best)]
+
+    @staticmethod
+    def _parts_at(
+        place: int,
+        usable: Sequence[int],
+        few: Sequence[int],
+        ones: NDArray[np.intp],
+        twos: NDArray[np.intp],
+    ) -> Parts:
+        """What stands at a place of the singles and the pairs behind them."""
+        if place < len(usable):
+            return (usable[place],)
+        pair = few[ones[place - len(usable)]], few[twos[place - len(usable)]]
+        return (min(pair), max(pair))
 
     def _pair_bits(self, few: Sequence[int], coarse: list[Words]) -> Numbers:
         """The score by the sample of each two of a few proposals; infinite for no real pair."""
