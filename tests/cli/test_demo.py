@@ -1,19 +1,41 @@
 """The guided session, typed and read as a person would."""
 
+from pathlib import Path
+
 import pytest
 
-from maestra.cli.demo_session import begin, end, step
-from maestra.cli.demo_stages import SUBJECTS, Choosing, Ended, Playing, Stage, Teaching
-from maestra.cli.demo_terminal import own_language
-from maestra.cli.demo_words import Command, Typed, Unclear, Wish, Word, understand
+from maestra.app import record_at, record_to_read
+from maestra.cli.demo_session import begin, come_back, end, step
+from maestra.cli.demo_stages import (
+    SUBJECTS,
+    Accompanying,
+    Choosing,
+    Ended,
+    Playing,
+    Stage,
+    Teaching,
+)
+from maestra.cli.demo_words import (
+    Accompany,
+    Command,
+    Typed,
+    Unclear,
+    Wish,
+    Word,
+    accompany_typed,
+    understand,
+)
 from maestra.cli.drawing import ASCII, UNICODE, draw, label, strokes_for
 from maestra.cli.lesson import Speech
 from maestra.cli.outputs import Drawn, Output, Said
+from maestra.cli.own_language import own_language
 from maestra.core.board import Board, Cell, Column, Row
 from maestra.core.state import State
 from maestra.core.tokens import Deck, Token, TokenId
 from maestra.language import NO_LEXICON, Language
-from maestra.learning.fewshot.lesson import Status
+from maestra.language.terminal import TerminalKey
+from maestra.rules.exercise import LearnStatus
+from maestra.rules.paper_rules import paper_exercise
 from maestra.rules.position import Position
 from tests.cli.running import maestra
 from tests.learning.scripts import AMBIGUOUS, LEARNED, scripted, slip
@@ -290,7 +312,7 @@ def test_what_is_typed_is_understood(line: str, language: Language, typed: Typed
 @pytest.mark.parametrize("language", Language)
 def test_a_whole_session_can_be_piped_in_each_language(language: Language) -> None:
     lines = "5\nshow me 2\nplay\nc 1\nr 2\nu\nr\ni\ne\nquit\nnever read\n"
-    options = ("--lang", language.value, "--seed", "1")
+    options = ("--lang", language.value, "--seed", "1", "--learner", "grounded")
     ran = maestra("demo", *options, typed=lines.encode())
     assert (ran.code, ran.err) == (0, "")
     assert "┃ C  ┃ U  ┃ R  ┃ I  ┃ E  ┃" in ran.out
@@ -450,7 +472,7 @@ def test_who_is_sure_asks_nothing(monkeypatch: pytest.MonkeyPatch) -> None:
 
 
 def test_a_user_who_takes_everything_back_begins_again(monkeypatch: pytest.MonkeyPatch) -> None:
-    scripted(monkeypatch, (Status.LEARNED, (slip(0),)))
+    scripted(monkeypatch, (LearnStatus.LEARNED, (slip(0),)))
     session = by_few("2", "show me", "play", "no")
     assert isinstance(session.stage, Teaching)
     assert session.stage.taught.shown == ()
@@ -466,6 +488,114 @@ def test_questions_can_be_left(
     assert isinstance(session.stage, stage)
     if isinstance(session.stage, Choosing):
         assert session.stage.by_few
+
+
+@pytest.mark.parametrize(
+    ("line", "language", "meant"),
+    [
+        ("accompany", Language.EN, Accompany(None, None)),
+        (" Accompany  2", Language.CA, Accompany(2, None)),
+        ("acompañar Anna", Language.ES, Accompany(None, "Anna")),
+        ("acompanyar 2 Anna", Language.CA, Accompany(2, "Anna")),
+        ("accompany Anna 2", Language.EN, None),
+        ("accompany 2 Anna B", Language.EN, None),
+        ("acompañar", Language.EN, None),
+        ("play", Language.EN, None),
+        ("", Language.EN, None),
+    ],
+)
+def test_who_is_to_be_accompanied_is_understood(
+    line: str, language: Language, meant: Accompany | None
+) -> None:
+    assert accompany_typed(line, language) == meant
+
+
+@pytest.mark.parametrize("number", range(1, 7))
+def test_each_of_the_papers_exercises_can_be_played_by_a_patient(number: int) -> None:
+    session = Session(f"accompany {number}")
+    assert isinstance(session.stage, Accompanying)
+    assert session.stage.exercise == paper_exercise(session.stage.name)
+    how = f"accompany {number} anna"
+    assert session.said == [
+        f"I do not keep this session; I would, with a name for the patient: {how}"
+    ]
+
+
+def test_what_was_taught_can_be_played_by_a_patient() -> None:
+    session = Session("8", "C", "U", "done", "accompany anna")
+    assert isinstance(session.stage, Accompanying)
+    assert (session.stage.name, session.stage.patient) == ("own-letters", "anna")
+    assert session.said == ["I keep this session for anna."]
+    assert session.type("2").outputs == ()
+    back, outputs = come_back(session.stage, ENGLISH)
+    assert isinstance(back, Teaching)
+    assert len(back.taught.shown) == 1
+    assert len(outputs) == 1
+    played = taught().type("accompany")
+    assert isinstance(played.stage, Accompanying)
+    assert isinstance(come_back(played.stage, ENGLISH)[0], Playing)
+
+
+@pytest.mark.parametrize(
+    ("lines", "said"),
+    [
+        (("accompany",), "Please type a number from 1 to 6."),
+        (("accompany 0",), "Please type a number from 1 to 6."),
+        (("accompany 9",), "Please type a number from 1 to 6."),
+        (("accompany 7",), "Only you know this exercise. Please show it to me."),
+        (("7", "accompany"), "Please show me at least one play first."),
+    ],
+)
+def test_what_no_patient_can_play_is_said(lines: tuple[str, ...], said: str) -> None:
+    session = Session(*lines)
+    assert session.said == [said]
+    assert not isinstance(session.stage, Accompanying)
+
+
+@pytest.fixture(name="record")
+def a_record(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    monkeypatch.setenv("MAESTRA_DATA", str(tmp_path / "data"))
+    monkeypatch.setenv("MAESTRA_KEYS", str(tmp_path / "keys"))
+    return tmp_path / "data"
+
+
+SPELLED = "accompany 5{who}\nc\nr\nundo\nu\nr\ni\ne\nquit\nnever read\n"
+
+
+@pytest.mark.parametrize("language", Language)
+def test_a_patient_plays_and_the_menu_comes_back(language: Language, record: Path) -> None:
+    typed = SPELLED.format(who="").encode()
+    ran = maestra("demo", "--lang", language.value, "--seed", "1", typed=typed)
+    assert (ran.code, ran.err) == (0, "")
+    speech = Speech(language, NO_LEXICON)
+    assert ran.out.count(speech.say(TerminalKey.WHICH_EXERCISE)) == 2
+    assert ran.out.splitlines()[-1] == speech.say(TerminalKey.GOODBYE)
+    assert "never read" not in ran.out
+    assert not record.exists()
+
+
+def test_what_a_named_patient_plays_is_kept(record: Path) -> None:
+    typed = SPELLED.format(who=" Anna").encode()
+    ran = maestra("demo", "--lang", "en", "--seed", "1", typed=typed)
+    assert (ran.code, ran.err) == (0, "")
+    assert record.exists()
+    store = record_to_read()
+    try:
+        (session,) = store.sessions()
+    finally:
+        store.close()
+    assert (session.patient, session.exercise) == ("Anna", "curie")
+    assert session.ended_utc is not None
+
+
+def test_a_record_that_somebody_else_writes_to_ends_no_session(record: Path) -> None:
+    store = record_at(str(record))
+    try:
+        ran = maestra("demo", "--lang", "en", typed=b"accompany 5 anna\nquit\n")
+    finally:
+        store.close()
+    assert (ran.code, ran.err) == (0, "")
+    assert ran.out.count("Which exercise shall it be?") == 2
 
 
 def test_planning_takes_too_long_for_a_session() -> None:

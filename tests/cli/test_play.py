@@ -3,28 +3,35 @@
 from __future__ import annotations
 
 import json
-import queue
-from collections.abc import Iterator
+import os
+import pty
 from pathlib import Path
+from typing import cast
 
 import pytest
 
 from maestra.app import record_to_read
 from maestra.cli import playing
+from maestra.cli.outputs import Said
+from maestra.cli.screen import Screen
 from maestra.coaching.recording import read_session
-from tests.cli.running import Ran, learned, maestra
+from maestra.coaching.running import Running
+from maestra.rules.exercise_format import encode_exercise
+from maestra.rules.paper_rules import paper_exercise
+from tests.cli.running import EXAMPLES, Ran, learned, maestra
 
 
 def play(folder: Path, typed: str, *options: str | Path, name: str = "ascending") -> Ran:
     exercise = folder / f"{name}.json"
     if not exercise.exists():
-        exercise = learned(folder, name)
+        exercise = learned(folder, name, "--learner", "grounded")
     record = folder / "session.jsonl"
     where = ("--data", folder / "data", "--keys", folder / "keys")
     wanted = ("--patient", "anna", "--seed", "5", "--quiet", "--record", record)
     return maestra("play", exercise, *wanted, *where, *options, typed=typed.encode())
 
 
+DECK = ("--deck", EXAMPLES / "ascending.jsonl", "-o")
 ASCENDING = "19\n23\n32\n34 4\n36\n"
 
 
@@ -98,33 +105,64 @@ def test_a_session_in_the_record_can_be_replayed(tmp_path: Path) -> None:
     assert missing.err.startswith("maestra: session: nobody")
 
 
+def test_a_patient_types_what_the_tokens_show_not_how_they_are_called(tmp_path: Path) -> None:
+    assert maestra("tell", "Numbers from small to large", *DECK, tmp_path / "told.json").code == 0
+    ran = play(tmp_path, "19\n", name="told")
+    assert "There is no token 19." in ran.out
+
+
+def test_a_start_has_a_right_move(tmp_path: Path) -> None:
+    (tmp_path / "row.json").write_text(encode_exercise(paper_exercise("first-row")))
+    ran = play(tmp_path, "hint\n" * 12, name="row")
+    assert "No move is right" not in ran.out
+    assert "row 2" in ran.out
+
+
+class Under:
+    """A session with nothing due, or with something after so many milliseconds."""
+
+    session = None
+
+
 def test_a_prompt_comes_when_it_is_due_at_a_terminal(monkeypatch: pytest.MonkeyPatch) -> None:
-    class Lines:
-        """A screen on which one line is typed, and then nothing."""
+    ours, theirs = pty.openpty()
+    waited = iter([10, None, None])
+    monkeypatch.setattr(playing, "due", lambda _session: next(waited))
+    with os.fdopen(theirs, encoding="utf-8") as typed, os.fdopen(ours, "wb", 0) as hand:
+        monkeypatch.setattr("sys.stdin", typed)
+        under = cast("Running", Under())
+        lines = playing._at_terminal(Screen("goal"), under)
+        assert next(lines)[0] is None
+        hand.write(b"19\n")
+        line, now = next(lines)
+        assert line == "19"
+        assert 10 <= now < 60_000
+        hand.write(b"\x04")
+        assert next(lines, None) is None
 
-        def lines(self) -> Iterator[str]:
-            yield "19"
 
-    class Under:
-        """A session with something due at once."""
+def test_what_is_said_after_a_silence_stands_on_a_line_of_its_own(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    ours, theirs = pty.openpty()
+    with os.fdopen(theirs, encoding="utf-8") as typed, os.fdopen(ours, "wb", 0) as hand:
+        monkeypatch.setattr("sys.stdin", typed)
+        screen = Screen("goal")
+        assert screen.line_within(0.0) is None
+        assert screen.line_within(0.0) is None
+        screen.show((Said("No hurry."),))
+        hand.write(b"\xff\n")
+        assert screen.line_within(60.0) == "?"
+    assert capsys.readouterr().out == "> \nNo hurry.\n> "
 
-        session = None
 
-    waited = iter([0, 10_000_000])
+def test_control_c_leaves_the_prompt_behind(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    def interrupted(*_: object) -> None:
+        raise KeyboardInterrupt
 
-    def due(_session: object) -> int | None:
-        return next(waited, None)
-
-    monkeypatch.setattr(playing, "due", due)
-    empty = iter([queue.Empty(), None])
-
-    def get(_self: queue.Queue[str | None], timeout: float | None = None) -> str | None:
-        _ = timeout
-        if next(empty, None) is not None:
-            raise queue.Empty
-        return real(_self)
-
-    real = queue.Queue[str | None].get
-    monkeypatch.setattr(queue.Queue, "get", get)
-    lines = playing._at_terminal(Lines(), Under())  # type: ignore[arg-type] # as much as is used
-    assert [line for line, _ in lines] == [None, "19"]
+    monkeypatch.setattr("select.select", interrupted)
+    with pytest.raises(KeyboardInterrupt):
+        Screen("goal").line_within(None)
+    assert capsys.readouterr().out == "> \n"

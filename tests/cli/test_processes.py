@@ -98,8 +98,14 @@ def test_the_session_has_colours_on_a_terminal_unless_they_are_not_wanted() -> N
     assert not COLOUR.search(on_terminal({"NO_COLOR": "1"}))
 
 
-def on_terminal(variables: dict[str, str]) -> str:
-    """What a person sees who asks for the first exercise and leaves."""
+def test_a_patient_is_accompanied_on_a_terminal() -> None:
+    seen = on_terminal({}, b"accompany 5", b"c", b"u", b"r", b"i", b"e", b"menu", b"quit")
+    assert "I do not keep this session" in seen
+    assert seen.count("Which exercise shall it be?") == 3
+
+
+def on_terminal(variables: dict[str, str], *typed: bytes) -> str:
+    """What a person sees who types this line by line, or asks for an exercise and leaves."""
     ours, theirs = pty.openpty()
     environment = {name: value for name, value in os.environ.items() if name != "NO_COLOR"}
     with subprocess.Popen(
@@ -110,9 +116,12 @@ def on_terminal(variables: dict[str, str]) -> str:
         env=environment | {"TERM": "xterm-256color"} | variables,
     ) as process:
         os.close(theirs)
-        os.write(ours, b"7\nquit\n")
         seen = b""
         deadline = time.monotonic() + 60
+        for prompt, line in enumerate(typed or (b"7", b"quit"), start=1):
+            while seen.count(b"> ") < prompt and time.monotonic() < deadline:
+                seen += os.read(ours, 4096)
+            os.write(ours, line + b"\n")
         while b"Goodbye." not in seen and time.monotonic() < deadline:
             seen += os.read(ours, 4096)
     os.close(ours)

@@ -7,9 +7,11 @@ from dataclasses import dataclass, replace
 from random import Random
 from typing import Final, TypeAlias, assert_never
 
+from maestra.cli.demo_accompanying import EXAMPLE, NICKNAME, accompanied
 from maestra.cli.demo_asking import answered, asked, replied
 from maestra.cli.demo_stages import (
     SUBJECTS,
+    Accompanying,
     Asking,
     Choosing,
     Ended,
@@ -21,7 +23,14 @@ from maestra.cli.demo_stages import (
 )
 from maestra.cli.demo_table import Table
 from maestra.cli.demo_telling import moves_of, new_rules, understood
-from maestra.cli.demo_words import Command, Unclear, Wish, Word, understand
+from maestra.cli.demo_words import (
+    Command,
+    Unclear,
+    Wish,
+    Word,
+    accompany_typed,
+    understand,
+)
 from maestra.cli.drawing import label
 from maestra.cli.lesson import Speech
 from maestra.cli.outputs import Drawn, Output, Said, Tone
@@ -59,6 +68,9 @@ def step(stage: Stage, line: str, chance: int, speech: Speech) -> Step:
     """
     if not line.strip():
         return stage, ()
+    wanted = accompany_typed(line, speech.language)
+    if wanted is not None and isinstance(stage, Choosing | Teaching | Playing):
+        return accompanied(stage, wanted, speech)
     match stage:
         case Choosing():
             return _choose(stage, line, chance, speech)
@@ -68,10 +80,19 @@ def step(stage: Stage, line: str, chance: int, speech: Speech) -> Step:
             return _reply(stage, line, chance, speech)
         case Playing():
             return _Player(stage, _dealer(chance), speech).step(line)
-        case Ended():
+        case Accompanying() | Ended():
             return stage, ()
         case _:
             assert_never(stage)
+
+
+def come_back(stage: Accompanying, speech: Speech) -> Step:
+    """The stage from which somebody was accompanied, after that session."""
+    match stage.back:
+        case Choosing() as back:
+            return back, _menu(speech)
+        case Teaching() | Playing() as back:
+            return back, (Drawn(back.state, back.taught.subject.deck),)
 
 
 def end(speech: Speech) -> Step:
@@ -88,7 +109,12 @@ def _menu(speech: Speech) -> tuple[Output, ...]:
         Said(f"  {number}  {speech.say(subject.title)}")
         for number, subject in enumerate(SUBJECTS, start=1)
     ]
-    return (Said(speech.say(Key.WHICH_EXERCISE)), *titles)
+    accompany = speech.say(Key.TYPE_ACCOMPANY)
+    how = [
+        Said(speech.say(Key.HOW_TO_TEACH, number=EXAMPLE)),
+        Said(speech.say(Key.HOW_TO_ACCOMPANY, accompany=accompany, number=EXAMPLE)),
+    ]
+    return (Said(speech.say(Key.WHICH_EXERCISE)), *titles, *how)
 
 
 def _choose(stage: Choosing, line: str, chance: int, speech: Speech) -> Step:
@@ -96,8 +122,7 @@ def _choose(stage: Choosing, line: str, chance: int, speech: Speech) -> Step:
         case Command(Word.QUIT):
             return end(speech)
         case Command(Word.HELP):
-            text = speech.say(Key.HELP_CHOOSING, quit=speech.say(Key.TYPE_QUIT))
-            return stage, (Said(text),)
+            return stage, (_help_choosing(speech),)
         case Command(Word.MENU):
             return stage, _menu(speech)
         case Wish(number, None) if number.isdecimal() and 1 <= int(number) <= len(SUBJECTS):
@@ -262,11 +287,12 @@ class _Teacher:
         taught = self.taught.with_shown(*shown)
         stage = Teaching(taught, taught.subject.start(self.chance))
         before = replace(taught, shown=taught.shown[:-1])
-        play = self.speech.say(Key.TYPE_PLAY)
+        typed = {"play": Key.TYPE_PLAY, "accompany": Key.TYPE_ACCOMPANY}
+        words = {name: self.speech.say(key) for name, key in typed.items()}
         return stage, (
             *outputs,
             *understood(before, taught, self.speech),
-            Said(self.speech.say(Key.NEXT_STEP, play=play), Tone.ASIDE),
+            Said(self.speech.say(Key.NEXT_STEP, **words), Tone.ASIDE),
             _nth(taught, self.speech),
             Drawn(stage.start, taught.subject.deck),
         )
@@ -367,4 +393,11 @@ def _unknown(speech: Speech) -> Said:
 
 def _help(key: Key, subject: Subject, speech: Speech) -> Said:
     typed = {word.name.lower(): speech.say(word.value) for word in Word}
+    typed["accompany"] = speech.say(Key.TYPE_ACCOMPANY)
     return Said(speech.say(key, token=_example(subject.deck), **typed))
+
+
+def _help_choosing(speech: Speech) -> Said:
+    typed = {"quit": Key.TYPE_QUIT, "accompany": Key.TYPE_ACCOMPANY}
+    words = {name: speech.say(key) for name, key in typed.items()}
+    return Said(speech.say(Key.HELP_CHOOSING, number=EXAMPLE, patient=NICKNAME, **words))

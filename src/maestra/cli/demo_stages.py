@@ -157,8 +157,21 @@ class Playing:
 
 
 @dataclass(frozen=True, slots=True)
+class Accompanying:
+    """A patient plays; whoever leads this session lets the coach lead theirs, then comes back."""
+
+    name: str
+    """What the exercise is called in the record."""
+    exercise: Exercise
+    patient: str | None
+    """For whom what is played is kept; None: it is not."""
+    back: Choosing | Teaching | Playing
+    """Where it was asked for."""
+
+
+@dataclass(frozen=True, slots=True)
 class Ended:
     """The session is over."""
 
 
-Stage: TypeAlias = Choosing | Teaching | Asking | Playing | Ended
+Stage: TypeAlias = Choosing | Teaching | Asking | Playing | Accompanying | Ended

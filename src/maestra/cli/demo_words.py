@@ -43,6 +43,15 @@ class Wish:
 
 
 @dataclass(frozen=True, slots=True)
+class Accompany:
+    """To accompany a patient, with the exercise of this number or the one that was taught."""
+
+    number: int | None
+    patient: str | None
+    """Who plays, if it was said."""
+
+
+@dataclass(frozen=True, slots=True)
 class Unclear:
     """Neither."""
 
@@ -69,6 +78,25 @@ def understand(line: str, language: Language) -> Typed:
             return Wish(token, int(column))
         case _:
             return Unclear()
+
+
+def accompany_typed(line: str, language: Language) -> Accompany | None:
+    """What was typed to accompany a patient; None when something else was."""
+    first, *rest = line.split() or [""]
+    words = {terminal_sentence(TerminalKey.TYPE_ACCOMPANY, one) for one in (language, Language.EN)}
+    if first.casefold() not in words:
+        return None
+    match rest:
+        case []:
+            return Accompany(None, None)
+        case [number] if _is_number(number):
+            return Accompany(int(number), None)
+        case [patient]:
+            return Accompany(None, patient)
+        case [number, patient] if _is_number(number):
+            return Accompany(int(number), patient)
+        case _:
+            return None
 
 
 def _is_number(text: str) -> bool:

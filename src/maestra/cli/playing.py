@@ -6,10 +6,8 @@ a second apart, and `wait 20` lets twenty seconds pass, so that a transcript is 
 
 from __future__ import annotations
 
-import queue
 import re
 import sys
-import threading
 import time
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
@@ -19,11 +17,11 @@ from typing import Final
 
 from maestra.app import record_at
 from maestra.boards.simulated import SimulatedBoard
-from maestra.cli.demo_terminal import own_language
 from maestra.cli.demo_words import Command, Unclear, Wish, Word, understand
 from maestra.cli.drawing import label
 from maestra.cli.loading import exercise_in
 from maestra.cli.outputs import Drawn, Said, Tone
+from maestra.cli.own_language import own_language
 from maestra.cli.screen import Screen
 from maestra.cli.streams import named, read_whole, write_file
 from maestra.coaching.chance import Chance
@@ -62,9 +60,13 @@ from maestra.robots.screen import ScreenRobot
 from maestra.robots.speech import SpeechRobot
 from maestra.rules.exercise import Exercise, RuledExercise
 from maestra.rules.exercise_format import encode_exercise
+from maestra.rules.judging import Judge
+from maestra.rules.position import Position
 
 PIPED_MS: Final = 1_000
 """Between two piped lines."""
+DEALS_TRIED: Final = 200
+"""Arrangements looked at for one from which some move is right."""
 _WAIT: Final = re.compile(r"wait (\d{1,5})")
 
 
@@ -109,7 +111,17 @@ def play(wanted: Wanted) -> bool:
         InvalidError: the exercise cannot be played on its board.
         OSError: a file cannot be read, or the session cannot be kept.
     """
-    exercise = exercise_in(wanted.exercise)
+    return accompany(exercise_in(wanted.exercise), wanted)
+
+
+def accompany(exercise: Exercise, wanted: Wanted) -> bool:
+    """The same with an exercise that need not be in a file; `wanted` names it.
+
+    Raises:
+        FormatError: a file holds something else.
+        InvalidError: the exercise cannot be played on its board.
+        OSError: a file cannot be read, or the session cannot be kept.
+    """
     store = record_at(wanted.data, wanted.keys)
     try:
         return _Session(wanted, exercise, store).play()
@@ -283,21 +295,31 @@ class _Session:
 
 
 def _laid_out(exercise: Exercise, settings: Settings, chance: Chance) -> tuple[Deck, State]:
-    """Tokens of the wanted difficulty where the rules fit others, in any arrangement."""
+    """Tokens of the wanted difficulty where the rules fit others, in any arrangement.
+
+    Drawn again where no move is right; of the paper's six exercises the fourth needs it most, for
+    in one arrangement of twelve its first storage row is full.
+    """
+    deck, state, chance = _dealt(exercise, settings, chance)
+    for _ in range(DEALS_TRIED):
+        if any(Judge(exercise, deck).allowed_moves(Position.begin(state))):
+            break
+        deck, state, chance = _dealt(exercise, settings, chance)
+    return deck, state
+
+
+def _dealt(exercise: Exercise, settings: Settings, chance: Chance) -> tuple[Deck, State, Chance]:
     deck = exercise.deck
     if isinstance(exercise, RuledExercise):
         deck, chance = deal(deck, settings.difficulty, chance)
-    cells, _ = chance.shuffled(exercise.board.storage_cells)
+    cells, chance = chance.shuffled(exercise.board.storage_cells)
     ids = [token.id for token in deck.tokens]
-    return deck, State(exercise.board, dict(zip(ids, cells, strict=False)))
+    return deck, State(exercise.board, dict(zip(ids, cells, strict=False))), chance
 
 
 def _token(deck: Deck, typed: str) -> TokenId | None:
-    """The token that is labelled or named as it was typed."""
-    for token in deck.tokens:
-        if typed in {label(token).casefold(), token.id.casefold()}:
-            return token.id
-    return None
+    """The token that is labelled as it was typed; other tokens may have been dealt for its id."""
+    return next((one.id for one in deck.tokens if label(one).casefold() == typed), None)
 
 
 def _piped(screen: Screen, _running: Running) -> Iterator[tuple[str | None, int]]:
@@ -311,27 +333,19 @@ def _piped(screen: Screen, _running: Running) -> Iterator[tuple[str | None, int]
 
 def _at_terminal(screen: Screen, running: Running) -> Iterator[tuple[str | None, int]]:
     """Each line as it is typed; None whenever something is due."""
-    typed: queue.Queue[str | None] = queue.Queue()
-
-    def read() -> None:
-        for line in screen.lines():
-            typed.put(line)
-        typed.put(None)
-
-    threading.Thread(target=read, daemon=True).start()
     begun = time.monotonic()
+
+    def now() -> int:
+        return round(1_000 * (time.monotonic() - begun))
+
     while True:
-        now = round(1_000 * (time.monotonic() - begun))
         at = due(running.session)
-        patience = None if at is None else max(at - now, 0) / 1_000
+        patience_s = None if at is None else max(at - now(), 0) / 1_000
         try:
-            line = typed.get(timeout=patience)
-        except queue.Empty:
-            yield None, round(1_000 * (time.monotonic() - begun))
-            continue
-        if line is None:
+            line = screen.line_within(patience_s)
+        except EOFError:
             return
-        yield line, round(1_000 * (time.monotonic() - begun))
+        yield line, now()
 
 
 def _utc() -> str:

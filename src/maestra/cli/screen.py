@@ -2,6 +2,7 @@
 
 import contextlib
 import importlib
+import select
 import sys
 from collections.abc import Iterator
 from typing import Final
@@ -38,9 +39,13 @@ class Screen:
         self._goal = goal
         self._console = Console(highlight=False, soft_wrap=True)
         self._strokes = strokes_for(sys.stdout.encoding)
+        self._is_asking = False
 
     def show(self, outputs: tuple[Output, ...]) -> None:
-        """Say and draw."""
+        """Say and draw; not behind a prompt."""
+        if self._is_asking and outputs:
+            self._console.print()
+            self._is_asking = False
         for output in outputs:
             if isinstance(output, Said):
                 if output.tone is Tone.HEADING:
@@ -71,6 +76,31 @@ class Screen:
                 # A terminal shows what is typed; a transcript shall too.
                 self._console.print(Text(line))
             yield line
+
+    def line_within(self, seconds: float | None) -> str | None:
+        """The line that is typed at the terminal until then; None when none was.
+
+        Raises:
+            EOFError: nothing more is typed.
+        """
+        if not self._is_asking:
+            self._console.print(PROMPT, end="")
+            self._is_asking = True
+        try:
+            # The terminal hands over whole lines.
+            if not select.select([sys.stdin], [], [], seconds)[0]:
+                return None
+            line = sys.stdin.readline()
+        except KeyboardInterrupt:
+            self._console.print()
+            raise
+        except UnicodeDecodeError:
+            line = "?\n"
+        self._is_asking = False
+        if not line:
+            self._console.print()
+            raise EOFError
+        return line.rstrip("\n")
 
     def _draw(self, drawn: Drawn) -> None:
         for pieces in draw(drawn.state, drawn.deck, self._goal, self._strokes):

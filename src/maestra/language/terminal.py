@@ -58,6 +58,11 @@ class TerminalKey(Enum):
     OWN_NUMBERS = "own-numbers"
     OWN_LETTERS = "own-letters"
     PLEASE_CHOOSE = "please-choose"
+    HOW_TO_TEACH = "how-to-teach"
+    HOW_TO_ACCOMPANY = "how-to-accompany"
+    # accompanying
+    KEPT = "kept"
+    NOT_KEPT = "not-kept"
     # teaching
     TEACH = "teach"
     HOW_TO_MOVE = "how-to-move"
@@ -101,6 +106,7 @@ class TerminalKey(Enum):
     TYPE_TEACH = "type-teach"
     TYPE_MENU = "type-menu"
     TYPE_HINT = "type-hint"
+    TYPE_ACCOMPANY = "type-accompany"
     TYPE_HELP = "type-help"
     TYPE_QUIT = "type-quit"
 

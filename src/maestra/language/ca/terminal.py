@@ -31,7 +31,8 @@ SENTENCES: Final[Mapping[str, str]] = MappingProxyType(
         "of-tokens": "Sobre una fitxa:",
         "of-pairs": "Sobre dues fitxes:",
         "relation": "la primera és {name} de la segona, tal com ho declaren les demostracions",
-        "welcome": "Maestra aprèn un exercici del que mostreu, i després el juga amb vós.",
+        "welcome": "Maestra aprèn un exercici del que mostreu, i acompanya un pacient que el "
+        "juga.",
         "which-exercise": "Quin exercici fem?",
         "odd-ascending": "Nombres senars, de petit a gran",
         "ascending": "Nombres, de petit a gran",
@@ -42,6 +43,11 @@ SENTENCES: Final[Mapping[str, str]] = MappingProxyType(
         "own-numbers": "El vostre propi exercici, amb nombres",
         "own-letters": "El vostre propi exercici, amb lletres",
         "please-choose": "Escriviu un nombre de l'1 al {last}, si us plau.",
+        "how-to-teach": "{number}  m'ho ensenyeu mostrant-ho, i ho proveu",
+        "how-to-accompany": "{accompany} {number}  acompanyo un pacient que hi juga",
+        "kept": "Deso aquesta sessió per a {patient}.",
+        "not-kept": "No deso aquesta sessió; la desaria amb un nom per al pacient: "
+        "{accompany} {patient}",
         "teach": "Mostreu-me com es fa. {title}.",
         "how-to-move": "Escriviu una fitxa i una columna, per exemple: {token} 1",
         "how-to-show": "O deixeu que jo mostri una jugada correcta: {show}",
@@ -54,7 +60,8 @@ SENTENCES: Final[Mapping[str, str]] = MappingProxyType(
         "nothing-moved": "Moveu abans una fitxa, si us plau.",
         "nothing-to-undo": "No hi ha res per desfer.",
         "cannot-show": "Aquest exercici només el coneixeu vós. Mostreu-me'l, si us plau.",
-        "next-step": "Mostreu una altra jugada, o proveu-ho: {play}",
+        "next-step": "Mostreu una altra jugada, o proveu-ho: {play}. O que hi jugui un pacient: "
+        "{accompany}",
         "your-turn": "És el vostre torn. Diré de cada moviment si és correcte.",
         "right": "Sí.",
         "put-back": "Tornem {token} al seu lloc i provem amb una altra fitxa.",
@@ -74,6 +81,7 @@ SENTENCES: Final[Mapping[str, str]] = MappingProxyType(
         "{done}  acaba aquesta demostració\n"
         "{show}  jo mostro una jugada correcta; amb un nombre, tantes\n"
         "{play}  provar l'exercici\n"
+        "{accompany}  acompanyo un pacient que hi juga\n"
         "{menu}  triar un altre exercici\n"
         "{quit}  acabar la sessió",
         "help-playing": "{token} 1  mou {token} a la columna 1 de la fila de destí\n"
@@ -81,6 +89,7 @@ SENTENCES: Final[Mapping[str, str]] = MappingProxyType(
         "{hint}  dic què es podria moure\n"
         "{teach}  ensenyar-me més\n"
         "{play}  tornar a començar\n"
+        "{accompany}  acompanyo un pacient que hi juga\n"
         "{menu}  triar un altre exercici\n"
         "{quit}  acabar la sessió",
         "help-session": "{token} 1  mou {token} a la columna 1 de la fila de destinació\n"
@@ -90,7 +99,10 @@ SENTENCES: Final[Mapping[str, str]] = MappingProxyType(
         "{show}  fa que un altre faci aquest moviment\n"
         "{done}  diu que això és tot\n"
         "{quit}  acaba la sessió",
-        "help-choosing": "Escriviu el nombre d'un exercici, o {quit} per acabar la sessió.",
+        "help-choosing": "{number}  m'ensenyeu aquest exercici mostrant-lo, i el proveu\n"
+        "{accompany} {number}  acompanyo un pacient que hi juga\n"
+        "{accompany} {number} {patient}  el mateix, i deso la sessió per a {patient}\n"
+        "{quit}  acabar la sessió",
         "goodbye": "A reveure.",
         "goal": "destí",
         "type-undo": "desfés",
@@ -100,6 +112,7 @@ SENTENCES: Final[Mapping[str, str]] = MappingProxyType(
         "type-teach": "ensenyar",
         "type-menu": "menú",
         "type-hint": "pista",
+        "type-accompany": "acompanyar",
         "type-help": "ajuda",
         "type-quit": "surt",
     }

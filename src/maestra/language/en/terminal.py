@@ -31,7 +31,8 @@ SENTENCES: Final[Mapping[str, str]] = MappingProxyType(
         "of-tokens": "About one token:",
         "of-pairs": "About two tokens:",
         "relation": "the first is {name} of the second, as the demonstrations declare it",
-        "welcome": "Maestra learns an exercise from what you show, and then plays it with you.",
+        "welcome": "Maestra learns an exercise from what you show, and accompanies a patient "
+        "who plays it.",
         "which-exercise": "Which exercise shall it be?",
         "odd-ascending": "Odd numbers, from small to large",
         "ascending": "Numbers, from small to large",
@@ -42,6 +43,11 @@ SENTENCES: Final[Mapping[str, str]] = MappingProxyType(
         "own-numbers": "Your own exercise, with numbers",
         "own-letters": "Your own exercise, with letters",
         "please-choose": "Please type a number from 1 to {last}.",
+        "how-to-teach": "{number}  you teach it to me by showing it, and try it",
+        "how-to-accompany": "{accompany} {number}  I accompany a patient who plays it",
+        "kept": "I keep this session for {patient}.",
+        "not-kept": "I do not keep this session; I would, with a name for the patient: "
+        "{accompany} {patient}",
         "teach": "Show me how it goes. {title}.",
         "how-to-move": "Type a token and a column, such as: {token} 1",
         "how-to-show": "Or let me show a right play: {show}",
@@ -54,7 +60,7 @@ SENTENCES: Final[Mapping[str, str]] = MappingProxyType(
         "nothing-moved": "Please move a token first.",
         "nothing-to-undo": "There is nothing to undo.",
         "cannot-show": "Only you know this exercise. Please show it to me.",
-        "next-step": "Show another play, or try it: {play}",
+        "next-step": "Show another play, or try it: {play}. Or let a patient play it: {accompany}",
         "your-turn": "Your turn. I say of each move whether it is right.",
         "right": "Yes.",
         "put-back": "Let us put {token} back and try another one.",
@@ -74,6 +80,7 @@ SENTENCES: Final[Mapping[str, str]] = MappingProxyType(
         "{done}  ends this demonstration\n"
         "{show}  I show a right play; with a number, so many\n"
         "{play}  try the exercise yourself\n"
+        "{accompany}  I accompany a patient who plays it\n"
         "{menu}  choose another exercise\n"
         "{quit}  end the session",
         "help-playing": "{token} 1  moves {token} to column 1 of the goal row\n"
@@ -81,6 +88,7 @@ SENTENCES: Final[Mapping[str, str]] = MappingProxyType(
         "{hint}  I say what you could move\n"
         "{teach}  show me more\n"
         "{play}  start again\n"
+        "{accompany}  I accompany a patient who plays it\n"
         "{menu}  choose another exercise\n"
         "{quit}  end the session",
         "help-session": "{token} 1  moves {token} to column 1 of the goal row\n"
@@ -90,7 +98,10 @@ SENTENCES: Final[Mapping[str, str]] = MappingProxyType(
         "{show}  has this move made\n"
         "{done}  says that this is all\n"
         "{quit}  ends the session",
-        "help-choosing": "Type the number of an exercise, or {quit} to end the session.",
+        "help-choosing": "{number}  you teach this exercise to me by showing it, and try it\n"
+        "{accompany} {number}  I accompany a patient who plays it\n"
+        "{accompany} {number} {patient}  the same, and I keep the session for {patient}\n"
+        "{quit}  end the session",
         "goodbye": "Goodbye.",
         "goal": "goal",
         "type-undo": "undo",
@@ -100,6 +111,7 @@ SENTENCES: Final[Mapping[str, str]] = MappingProxyType(
         "type-teach": "teach",
         "type-menu": "menu",
         "type-hint": "hint",
+        "type-accompany": "accompany",
         "type-help": "help",
         "type-quit": "quit",
     }

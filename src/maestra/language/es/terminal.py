@@ -31,8 +31,8 @@ SENTENCES: Final[Mapping[str, str]] = MappingProxyType(
         "of-tokens": "Sobre una ficha:",
         "of-pairs": "Sobre dos fichas:",
         "relation": "la primera es {name} de la segunda, como lo declaran las demostraciones",
-        "welcome": "Maestra aprende un ejercicio de lo que usted muestra, y luego lo juega con "
-        "usted.",
+        "welcome": "Maestra aprende un ejercicio de lo que usted muestra, y acompaña a un "
+        "paciente que lo juega.",
         "which-exercise": "¿Qué ejercicio hacemos?",
         "odd-ascending": "Números impares, de menor a mayor",
         "ascending": "Números, de menor a mayor",
@@ -43,6 +43,11 @@ SENTENCES: Final[Mapping[str, str]] = MappingProxyType(
         "own-numbers": "Su propio ejercicio, con números",
         "own-letters": "Su propio ejercicio, con letras",
         "please-choose": "Escriba un número del 1 al {last}, por favor.",
+        "how-to-teach": "{number}  usted me lo enseña mostrándolo, y lo prueba",
+        "how-to-accompany": "{accompany} {number}  acompaño a un paciente que lo juega",
+        "kept": "Guardo esta sesión para {patient}.",
+        "not-kept": "No guardo esta sesión; la guardaría con un nombre para el paciente: "
+        "{accompany} {patient}",
         "teach": "Muéstreme cómo se hace. {title}.",
         "how-to-move": "Escriba una ficha y una columna, por ejemplo: {token} 1",
         "how-to-show": "O deje que yo muestre una jugada correcta: {show}",
@@ -55,7 +60,8 @@ SENTENCES: Final[Mapping[str, str]] = MappingProxyType(
         "nothing-moved": "Mueva antes una ficha, por favor.",
         "nothing-to-undo": "No hay nada que deshacer.",
         "cannot-show": "Este ejercicio solo lo conoce usted. Muéstremelo, por favor.",
-        "next-step": "Muestre otra jugada, o pruébelo: {play}",
+        "next-step": "Muestre otra jugada, o pruébelo: {play}. O que lo juegue un paciente: "
+        "{accompany}",
         "your-turn": "Le toca a usted. Diré de cada movimiento si es correcto.",
         "right": "Sí.",
         "put-back": "Devolvamos {token} a su sitio y probemos con otra ficha.",
@@ -75,6 +81,7 @@ SENTENCES: Final[Mapping[str, str]] = MappingProxyType(
         "{done}  termina esta demostración\n"
         "{show}  yo muestro una jugada correcta; con un número, tantas\n"
         "{play}  probar el ejercicio\n"
+        "{accompany}  acompaño a un paciente que lo juega\n"
         "{menu}  elegir otro ejercicio\n"
         "{quit}  terminar la sesión",
         "help-playing": "{token} 1  mueve {token} a la columna 1 de la fila de destino\n"
@@ -82,6 +89,7 @@ SENTENCES: Final[Mapping[str, str]] = MappingProxyType(
         "{hint}  digo qué se podría mover\n"
         "{teach}  enseñarme más\n"
         "{play}  empezar de nuevo\n"
+        "{accompany}  acompaño a un paciente que lo juega\n"
         "{menu}  elegir otro ejercicio\n"
         "{quit}  terminar la sesión",
         "help-session": "{token} 1  mueve {token} a la columna 1 de la fila de destino\n"
@@ -91,7 +99,10 @@ SENTENCES: Final[Mapping[str, str]] = MappingProxyType(
         "{show}  hace que otro haga este movimiento\n"
         "{done}  dice que esto es todo\n"
         "{quit}  termina la sesión",
-        "help-choosing": "Escriba el número de un ejercicio, o {quit} para terminar la sesión.",
+        "help-choosing": "{number}  usted me enseña este ejercicio mostrándolo, y lo prueba\n"
+        "{accompany} {number}  acompaño a un paciente que lo juega\n"
+        "{accompany} {number} {patient}  lo mismo, y guardo la sesión para {patient}\n"
+        "{quit}  terminar la sesión",
         "goodbye": "Hasta pronto.",
         "goal": "destino",
         "type-undo": "deshacer",
@@ -101,6 +112,7 @@ SENTENCES: Final[Mapping[str, str]] = MappingProxyType(
         "type-teach": "enseñar",
         "type-menu": "menú",
         "type-hint": "pista",
+        "type-accompany": "acompañar",
         "type-help": "ayuda",
         "type-quit": "salir",
     }
