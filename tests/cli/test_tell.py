@@ -222,7 +222,7 @@ def test_rules_can_all_be_taken_away(told: Path, tmp_path: Path) -> None:
 
 
 def test_an_exercise_of_actions_is_refused(tmp_path: Path) -> None:
-    exercise = learned(tmp_path, "ascending")
+    exercise = learned(tmp_path, "ascending", "--learner", "grounded")
     ran = maestra("edit", exercise, "--add", "rising", "-o", tmp_path / "edited.json")
     assert (ran.code, ran.out, ran.err.count("\n")) == (2, "", 1)
     assert "grounded" in ran.err

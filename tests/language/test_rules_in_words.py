@@ -16,7 +16,7 @@ from maestra.language.languages import speaker_for
 from maestra.language.of_pairs import Two
 from maestra.language.of_rules import Rules
 from maestra.language.of_tokens import Tokens
-from maestra.language.phrases import Named, say
+from maestra.language.phrases import Named, opposite, say
 from maestra.rules.features import PairFeature, TokenFeature
 from maestra.rules.fields import Position
 from maestra.rules.forms.base import LAST, MIDDLE, Direction
@@ -392,6 +392,15 @@ IN_ENGLISH: list[tuple[Rule, str]] = [
 @pytest.mark.parametrize(("rule", "text"), IN_ENGLISH)
 def test_rules_are_said_in_english(rule: Rule, text: str) -> None:
     assert sentence(rule) == text
+
+
+def test_the_opposite_of_several_things_is_said_of_each() -> None:
+    rules = Rules(Tokens(Board(), DECK))
+    neither = opposite(rules.does(Either(RED, ODD)))
+    assert (
+        speaker_for(Language.EN, Board(), DECK).spoken(neither).text == "is not red and is not odd"
+    )
+    assert opposite(neither) == rules.does(Either(RED, ODD))
 
 
 def test_every_form_is_among_those_that_are_said() -> None:

@@ -10,7 +10,10 @@ from maestra.core.board import Board, Row
 from maestra.core.faults import InvalidError
 from maestra.core.tokens import Deck, Token, TokenId
 from maestra.language import Language, Lexicon
-from maestra.language.keys import Predicate
+from maestra.language.keys import Key, Predicate
+from maestra.language.of_places import Spot
+from maestra.language.of_rules import RULES as RULE_WORDINGS
+from maestra.language.of_tokens import Tokens
 from maestra.language.tongue import AttributeWords, OwnWords
 from maestra.language.understanding import (
     MAX_SENTENCE,
@@ -22,6 +25,7 @@ from maestra.language.understanding import (
     rules_like,
 )
 from maestra.rules.canonical import canonical
+from maestra.rules.fields import Position
 from maestra.rules.forms.base import FIRST, LAST, Direction
 from maestra.rules.forms.conditions import At
 from maestra.rules.forms.counting import Count, Total
@@ -34,6 +38,7 @@ from maestra.rules.forms.sources import StraightUp, from_row
 from maestra.rules.forms.timing import Filling, FillOrder
 from maestra.rules.pairs import Named, different, same
 from maestra.rules.rule import Rule
+from maestra.rules.setting import Line
 from maestra.rules.token_tests import Both, Comparison, Either, Not, has
 from tests.rules.rule_strategies import FORMS, RULES, decks
 
@@ -356,6 +361,65 @@ def test_the_nearest_sentences_come_first_and_are_understood(
     assert len(quote.nearest) == 3
     for suggested in quote.nearest:
         assert isinstance(heard.understand(suggested), Understood)
+
+
+TWO_NUMBERS = Deck((Token(TokenId("t"), (("value", 3), ("weight", 4))),))
+LONG = "each token must have a higher number than the one on its left"
+"""Twelve words that count: eleven times that is more than a sentence that is read as a whole."""
+
+
+def test_a_long_text_is_read_clause_by_clause() -> None:
+    text = ". ".join([LONG] * 11)
+    assert listener().understand(text) == Understood((RISING,) * 11)
+
+
+def test_in_a_long_text_what_may_mean_several_things_is_found() -> None:
+    weight = "each token must have a higher weight than the one on its left"
+    found = listener(TWO_NUMBERS).understand(". ".join([weight] * 11 + ["only even tokens"]))
+    assert isinstance(found, Several)
+    assert found.sentences[0].endswith("Use only even tokens by number.")
+
+
+def test_of_many_clauses_the_whole_is_quoted() -> None:
+    text = "sing. " * 13
+    found = listener().understand(text)
+    assert isinstance(found, Unknown)
+    assert [quote.text for quote in found.quotes] == [text.strip(" .")]
+
+
+@pytest.mark.parametrize(
+    "sentence",
+    [
+        "use exactly 20000 tokens",
+        "the first token must come after the one on its left in the alphabet",
+        "spell XYZQ",
+        "at least 1.5 tokens",
+    ],
+)
+def test_what_no_rule_can_say_is_not_understood(sentence: str) -> None:
+    assert isinstance(listener(LETTERS).understand(sentence), Unknown)
+
+
+def test_numbers_in_a_row_are_a_pattern() -> None:
+    assert listener().understand("Make this row: 19, 23, 32.") == Understood(
+        (given_row("value", (19, 23, 32)),)
+    )
+
+
+def test_attributes_that_are_called_the_same_are_told_apart_by_their_names() -> None:
+    heard = listener(Deck((Token(TokenId("t"), (("value", 3), ("number", 4))),)))
+    said = heard.says(Ordered("number"))
+    assert said == "Each token must be larger than the one on its left by number."
+    assert heard.understand(said) == Understood((Ordered("number"),))
+
+
+def test_a_wording_means_nothing_where_something_is_missing() -> None:
+    tokens = Tokens(Board(), NUMBERS)
+    total = next(wording for wording in RULE_WORDINGS if wording.says is Key.TOTAL)
+    assert list(total.things({}, tokens)) == []
+    at = next(wording for wording in RULE_WORDINGS if wording.of is At)
+    nowhere = {"subject": Spot(Position(-2), Line.TIME), "does": EVEN}
+    assert list(at.things(nowhere, tokens)) == []
 
 
 def test_a_caregivers_own_words_are_understood() -> None:

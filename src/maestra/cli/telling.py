@@ -165,9 +165,8 @@ def _desk(board: Board, deck: Deck, speech: tuple[str, str | None], *, as_json: 
 
 
 def _first_deck(path: str) -> tuple[Deck, State]:
-    for _, play in plays_in(path):
-        return play.deck, play.start
-    raise FormatError(named(path), 1, (Fault("", "nothing", "a play or position"),))
+    _, play = next(plays_in(path))
+    return play.deck, play.start
 
 
 def _board(size: str) -> Board:

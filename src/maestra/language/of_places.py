@@ -66,11 +66,9 @@ class Choice:
 
 def first_said(table: tuple[Wording, ...], thing: object, about: About) -> Say:
     """The phrase by the first line of `table` that can say `thing`."""
-    for wording in table:
-        parts = wording.phrases(thing, about)
-        if parts is not None:
-            return say(cast("Key", wording.says), **parts)
-    raise KeyError(thing)
+    lines = ((wording.says, wording.phrases(thing, about)) for wording in table)
+    key, parts = next((key, parts) for key, parts in lines if parts is not None)
+    return say(cast("Key", key), **parts)
 
 
 def _nth(position: int, _: About) -> Phrase | None:

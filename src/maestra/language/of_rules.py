@@ -282,14 +282,11 @@ def _terms(joint: Joint, neutral: int) -> tuple[Part, str, str]:
 
 
 def _compared(compare: Callable[[str], Relation]) -> tuple[Part, str]:
-    """What two tokens show is compared under an attribute."""
-
-    def phrase(relation: Relation, about: About) -> Phrase | None:
-        attribute = relation.attribute if isinstance(relation, Compare) else None
-        is_said = attribute is not None and compare(attribute) == relation
-        return ATTRIBUTE.phrase(attribute, about) if is_said else None
-
-    return Part("attribute", phrase, lambda attribute, _: compare(attribute)), "relation"
+    """What two tokens show is compared under an attribute; understood, and said otherwise."""
+    return (
+        Part("attribute", lambda _, __: None, lambda attribute, _: compare(attribute)),
+        "relation",
+    )
 
 
 def _spelled(word: str, about: About) -> tuple[TokenTest, ...] | None:

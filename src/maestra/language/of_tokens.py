@@ -272,13 +272,10 @@ def said_of(
     **more: Phrase,
 ) -> Does:
     """What is said of `subject`, by the first line of `table` that can say `thing`."""
-    for wording in table:
-        parts = wording.phrases(thing, about)
-        if parts is not None:
-            predicate = cast("Predicate", wording.says)
-            found = MappingProxyType({**parts, **more})
-            return Does(predicate, found, subject, wording.negated)
-    raise KeyError(thing)
+    lines = ((wording, wording.phrases(thing, about)) for wording in table)
+    wording, parts = next((wording, parts) for wording, parts in lines if parts is not None)
+    found = MappingProxyType({**parts, **more})
+    return Does(cast("Predicate", wording.says), found, subject, wording.negated)
 
 
 @dataclass(frozen=True, slots=True)

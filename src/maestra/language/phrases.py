@@ -188,11 +188,6 @@ def say(key: Key, **parts: Phrase) -> Say:
     return Say(key, MappingProxyType(parts))
 
 
-def does(predicate: Predicate, subject: Phrase | None = None, **parts: Phrase) -> Does:
-    """What is said of `subject`."""
-    return Does(predicate, MappingProxyType(parts), subject)
-
-
 def opposite(phrase: Does | Several) -> Does | Several:
     """What is said when `phrase` is not so."""
     if isinstance(phrase, Does):

@@ -251,12 +251,8 @@ SYNONYMS: Final = Synonyms(
         Key.SUBJECT_MUST: ("{subject} {does}",),
     },
     predicates={
-        Predicate.ABOVE: (
-            ("be", "more than {k}"),
-            ("be", "larger than {k}"),
-            ("be", "greater than {k}"),
-        ),
-        Predicate.BELOW: (("be", "less than {k}"), ("be", "smaller than {k}")),
+        Predicate.ABOVE: (("be", "larger than {k}"), ("be", "greater than {k}")),
+        Predicate.BELOW: (("be", "smaller than {k}"),),
         Predicate.PRIME: (("be", "a prime number"),),
         Predicate.DIFFERENT: (
             ("have", "a different {attribute} than {other}"),

@@ -168,11 +168,7 @@ SYNONYMS: Final = Synonyms(
         Key.SUBJECT_MUST: ("{subject} {does}",),
     },
     predicates={
-        Predicate.ABOVE: (
-            ("ser", "mayor que {k}"),
-            ("ser", "mayor de {k}"),
-            ("ser", "más de {k}"),
-        ),
+        Predicate.ABOVE: (("ser", "mayor que {k}"), ("ser", "mayor de {k}")),
         Predicate.BELOW: (("ser", "menor que {k}"), ("ser", "menor de {k}")),
         Predicate.DIFFERENT: (
             ("tener", "{attribute} diferente de {other}"),

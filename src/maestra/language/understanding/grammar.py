@@ -313,8 +313,7 @@ class Grammar:
                     # "red or blue": the verb is not said again.
                     self._add(Production(f"item_{form}", ("said",)), [f"test_of_{_name(verb)}"])
             for symbol in ("relation", "peak", "choice"):
-                if f"one_{symbol}_{form}" in self._rules:
-                    self._way(f"{symbol}_{form}", f"one_{symbol}_{form}")
+                self._way(f"{symbol}_{form}", f"one_{symbol}_{form}")
 
     def _joint(self, joint: Joint) -> list[str]:
         """The terminal for the word that joins phrases."""

@@ -47,8 +47,6 @@ MAX_WORDS: Final = 120
 """Of one sentence that is read as a whole; of a longer one each clause is read alone."""
 MAX_CLAUSES: Final = 12
 """Parts between commas and "and" that are tried together, to find which one is not understood."""
-MAX_REMEMBERED: Final = 10_000
-"""Sentences of rules that are kept."""
 _RANKS: Final = 3
 """How like a sentence is to what would be said: to the letter, but for case, made plain."""
 SUGGESTIONS: Final = 3
@@ -99,13 +97,12 @@ class Listener:
     def says(self, rule: Rule) -> str:
         """The rule as a sentence."""
         if rule not in self._said:
-            if len(self._said) > MAX_REMEMBERED:
-                self._said.clear()
             self._said[rule] = self.speaker.sentence(Rules(self.tokens).says(rule))
         return self._said[rule]
 
     @cached_property
     def _said(self) -> dict[Rule, str]:
+        """What was said of rules while one sentence is read."""
         return {}
 
     def understand(self, sentence: str) -> Understanding:
@@ -117,6 +114,7 @@ class Listener:
         if len(sentence) > MAX_SENTENCE:
             length = f"{len(sentence)} characters"
             raise InvalidError([Fault("sentence", length, f"at most {MAX_SENTENCE}")])
+        self._said.clear()
         found = self.readings(sentence)
         if len(found) == 1:
             return Understood(found[0])
