@@ -127,11 +127,15 @@ class Under:
 def test_a_prompt_comes_when_it_is_due_at_a_terminal(monkeypatch: pytest.MonkeyPatch) -> None:
     ours, theirs = pty.openpty()
     waited = iter([10, None, None])
-    monkeypatch.setattr(playing, "due", lambda _session: next(waited))
+
+    def due(_session: object) -> int | None:
+        return next(waited)
+
+    monkeypatch.setattr(playing, "due", due)
     with os.fdopen(theirs, encoding="utf-8") as typed, os.fdopen(ours, "wb", 0) as hand:
         monkeypatch.setattr("sys.stdin", typed)
         under = cast("Running", Under())
-        lines = playing._at_terminal(Screen("goal"), under)
+        lines = playing.at_terminal(Screen("goal"), under)
         assert next(lines)[0] is None
         hand.write(b"19\n")
         line, now = next(lines)

@@ -162,7 +162,7 @@ class _Session:
 
     def play(self) -> bool:
         """Lead the session to its end or the end of what is typed."""
-        lines = _at_terminal if sys.stdin.isatty() else _piped
+        lines = at_terminal if sys.stdin.isatty() else _piped
         self._running.feed(Begun(), Milliseconds(0), _utc())
         self._draw()
         for line, now in lines(self._screen, self._running):
@@ -331,7 +331,7 @@ def _piped(screen: Screen, _running: Running) -> Iterator[tuple[str | None, int]
         yield line, now
 
 
-def _at_terminal(screen: Screen, running: Running) -> Iterator[tuple[str | None, int]]:
+def at_terminal(screen: Screen, running: Running) -> Iterator[tuple[str | None, int]]:
     """Each line as it is typed; None whenever something is due."""
     begun = time.monotonic()
 
