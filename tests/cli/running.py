@@ -11,6 +11,8 @@ import pytest
 from maestra.cli.program import run
 
 EXAMPLES: Final = Path(__file__).parents[2] / "examples"
+GROUNDED: Final = ("--learner", "grounded")
+"""What makes `learn` write actions, as in the paper, instead of rules."""
 
 
 @dataclass(frozen=True)

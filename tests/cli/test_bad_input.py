@@ -7,13 +7,18 @@ from pathlib import Path
 import pytest
 
 from maestra.core.json_lines import MAX_LINE_BYTES
-from tests.cli.running import EXAMPLES, learned, maestra
+from tests.cli.running import EXAMPLES, GROUNDED, learned, maestra
 from tests.core.bad_lines import GOOD, LINE, WRONG_PLAY, WRONG_SHAPE, changed
 
 
 @pytest.fixture(name="exercise", scope="module")
 def an_exercise(tmp_path_factory: pytest.TempPathFactory) -> Path:
     return learned(tmp_path_factory.mktemp("exercise"), "ascending")
+
+
+@pytest.fixture(name="actions", scope="module")
+def an_exercise_of_actions(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    return learned(tmp_path_factory.mktemp("actions"), "ascending", *GROUNDED)
 
 
 @pytest.mark.parametrize(
@@ -160,11 +165,11 @@ def test_a_file_that_is_not_there_is_refused(
     assert (ran.code, ran.out, ran.err) == (2, "", f"maestra: {path}: {fault}\n")
 
 
-def test_a_play_on_another_board_than_the_exercises_is_refused(exercise: Path) -> None:
+def test_a_play_on_another_board_than_that_of_the_actions_is_refused(actions: Path) -> None:
     play = json.loads((EXAMPLES / "plays" / "ascending.jsonl").read_text().splitlines()[0])
     play |= {"board": {"rows": 5}, "moves": [], "times_ms": []}
     for command in ("judge", "moves"):
-        ran = maestra(command, exercise, "-", typed=json.dumps(play).encode())
+        ran = maestra(command, actions, "-", typed=json.dumps(play).encode())
         assert (ran.code, ran.out) == (2, "")
         assert ran.err == (
             "maestra: standard input, line 1: board: 5 x 5, goal row 1, "
@@ -172,8 +177,8 @@ def test_a_play_on_another_board_than_the_exercises_is_refused(exercise: Path) -
         )
 
 
-def test_a_token_that_the_exercise_does_not_know_is_refused(exercise: Path) -> None:
-    ran = maestra("judge", exercise, "-", typed=LINE)
+def test_a_token_that_no_action_moves_is_refused(actions: Path) -> None:
+    ran = maestra("judge", actions, "-", typed=LINE)
     assert (ran.code, ran.out) == (2, "")
     assert ran.err.startswith(
         "maestra: standard input, line 1: tokens.04A3B3: unknown to this exercise, expected "

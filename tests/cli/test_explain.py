@@ -3,12 +3,12 @@ from pathlib import Path
 
 import pytest
 
-from tests.cli.running import EXAMPLES, learned, maestra
+from tests.cli.running import EXAMPLES, GROUNDED, learned, maestra
 
 
 @pytest.fixture(name="exercise", scope="module")
 def an_exercise(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    return learned(tmp_path_factory.mktemp("exercise"), "ascending")
+    return learned(tmp_path_factory.mktemp("exercise"), "ascending", *GROUNDED)
 
 
 def test_explain_says_the_rules(exercise: Path) -> None:

@@ -4,7 +4,7 @@ from typing import Any
 
 import pytest
 
-from tests.cli.running import EXAMPLES, learned, maestra
+from tests.cli.running import EXAMPLES, GROUNDED, learned, maestra
 
 PLAYS = EXAMPLES / "plays" / "ascending.jsonl"
 POSITIONS = EXAMPLES / "positions" / "ascending.jsonl"
@@ -19,6 +19,11 @@ RIGHT: dict[str, object] = {
 @pytest.fixture(name="exercise", scope="module")
 def an_exercise(tmp_path_factory: pytest.TempPathFactory) -> Path:
     return learned(tmp_path_factory.mktemp("exercise"), "ascending")
+
+
+@pytest.fixture(name="actions", scope="module")
+def an_exercise_of_actions(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    return learned(tmp_path_factory.mktemp("actions"), "ascending", *GROUNDED)
 
 
 def plays(path: Path = PLAYS) -> list[dict[str, Any]]:
@@ -40,12 +45,18 @@ def test_a_right_play_is_allowed_and_complete(exercise: Path, options: tuple[str
     assert answers(ran.out) == [{"moves": [RIGHT] * 5, "complete": True}]
 
 
-def test_a_refused_move_says_why_and_the_next_is_judged_without_it(exercise: Path) -> None:
+@pytest.mark.parametrize(
+    ("made_of", "certainty"), [("exercise", "certain"), ("actions", "probable")]
+)
+def test_a_refused_move_says_why_and_the_next_is_judged_without_it(
+    request: pytest.FixtureRequest, made_of: str, certainty: str
+) -> None:
+    exercise = request.getfixturevalue(made_of)
     ran = maestra("judge", exercise, "-", typed=played(plays()[1]))
     assert (ran.code, ran.err) == (1, "")
     wrong = {
         "verdict": "refused",
-        "certainty": "probable",
+        "certainty": certainty,
         "broken": ["increasing-value"],
         "reason": "32 is not larger than 34 on its left.",
     }
@@ -97,12 +108,20 @@ def test_moving_a_refused_token_back_is_no_move_of_the_play(exercise: Path) -> N
     assert answer["complete"]
 
 
-def test_the_right_moves_of_a_position_are_listed(exercise: Path) -> None:
+@pytest.mark.parametrize(
+    ("made_of", "numbers"),
+    # The rules leave the order of filling open, the actions fill from left to right.
+    [("exercise", [30, 12, 2, 0]), ("actions", [6, 4, 2, 0])],
+)
+def test_the_right_moves_of_a_position_are_listed(
+    request: pytest.FixtureRequest, made_of: str, numbers: list[int]
+) -> None:
+    exercise = request.getfixturevalue(made_of)
     ran = maestra("moves", exercise, POSITIONS)
     assert (ran.code, ran.err) == (0, "")
     found = answers(ran.out)
     assert [sorted(answer) for answer in found] == [["allowed", "complete"]] * 4
-    assert [len(answer["allowed"]) for answer in found] == [6, 4, 2, 0]
+    assert [len(answer["allowed"]) for answer in found] == numbers
     assert [answer["complete"] for answer in found] == [False, False, False, True]
     assert found[0]["allowed"][0].keys() == {"token", "origin", "destination"}
 

@@ -15,10 +15,10 @@ from maestra.learning.planning import (
     ProvenUnsolvable,
     Unsupported,
 )
-from maestra.rules.exercise import GroundedExercise
+from maestra.rules.exercise import Exercise, GroundedExercise, RuledExercise
 from maestra.rules.exercise_format import decode_exercise
 from maestra.rules.summaries.summary import summarise
-from tests.cli.running import EXAMPLES, maestra
+from tests.cli.running import EXAMPLES, GROUNDED, maestra
 
 ASCENDING = EXAMPLES / "ascending.jsonl"
 RULES = (
@@ -40,9 +40,55 @@ def grounded(content: bytes) -> GroundedExercise:
     return exercise
 
 
+def kind_of(path: Path) -> type[Exercise]:
+    return type(decode_exercise(path.read_bytes()))
+
+
 def test_learn_says_the_rules_and_writes_the_exercise(tmp_path: Path) -> None:
     output = tmp_path / "x.json"
     ran = maestra("learn", ASCENDING, "-o", output)
+    assert (ran.code, ran.err) == (0, "")
+    assert ran.out == (
+        "Fill the whole of the top row. "
+        "Each token must be larger than the one on its left.\n"
+        f"\nI am 99 % sure of this.\nSaved in {output}.\n"
+    )
+    assert kind_of(output) is RuledExercise
+
+
+def test_rules_are_learned_unless_something_else_is_asked_for(tmp_path: Path) -> None:
+    output, named = tmp_path / "x.json", tmp_path / "named.json"
+    assert maestra("learn", ASCENDING, "-o", output).code == 0
+    assert maestra("learn", ASCENDING, "-o", named, "--learner", "fewshot").code == 0
+    assert output.read_bytes() == named.read_bytes()
+
+
+@pytest.mark.parametrize("options", [("--features", "less-than"), ("--level", "A")])
+def test_features_or_a_level_alone_ask_for_actions(
+    tmp_path: Path, options: tuple[str, str]
+) -> None:
+    output, named = tmp_path / "x.json", tmp_path / "named.json"
+    ran = maestra("learn", ASCENDING, "-o", output, *options)
+    assert (ran.code, ran.err) == (0, "")
+    assert kind_of(output) is GroundedExercise
+    maestra("learn", ASCENDING, "-o", named, *options, *GROUNDED)
+    assert output.read_bytes() == named.read_bytes()
+
+
+@pytest.mark.parametrize("option", [("--features", "odd"), ("--level", "B")])
+def test_what_actions_may_speak_of_is_refused_where_rules_are_learned(
+    tmp_path: Path, option: tuple[str, str]
+) -> None:
+    output = tmp_path / "x.json"
+    ran = maestra("learn", ASCENDING, "-o", output, "--learner", "fewshot", *option)
+    fault = f"maestra: Invalid value: {option[0]} needs --learner grounded or compiled\n"
+    assert (ran.code, ran.out, ran.err) == (2, "", fault)
+    assert not output.exists()
+
+
+def test_learning_actions_says_the_rules_and_writes_the_exercise(tmp_path: Path) -> None:
+    output = tmp_path / "x.json"
+    ran = maestra("learn", ASCENDING, "-o", output, *GROUNDED)
     assert (ran.code, ran.err) == (0, "")
     assert ran.out.startswith(RULES)
     assert ran.out.endswith(
@@ -52,7 +98,7 @@ def test_learn_says_the_rules_and_writes_the_exercise(tmp_path: Path) -> None:
 
 
 def test_the_json_of_a_lesson_that_is_clear(tmp_path: Path) -> None:
-    ran = maestra("learn", ASCENDING, "-o", tmp_path / "x.json", "--json")
+    ran = maestra("learn", ASCENDING, "-o", tmp_path / "x.json", "--json", *GROUNDED)
     assert (ran.code, ran.err, ran.out.count("\n")) == (0, "", 1)
     answer = json.loads(ran.out)
     assert 0 < answer.pop("seconds") < 60
@@ -79,7 +125,7 @@ def test_the_json_of_a_lesson_that_is_clear(tmp_path: Path) -> None:
 
 
 def test_what_is_not_clear_yet_is_said_with_what_to_show_next(tmp_path: Path, few: Path) -> None:
-    ran = maestra("learn", few, "-o", tmp_path / "x.json")
+    ran = maestra("learn", few, "-o", tmp_path / "x.json", *GROUNDED)
     assert (ran.code, ran.err) == (1, "")
     assert ran.out.startswith(f"{RULES}\nNot clear yet:\n- So far I have only seen 19 or 23 go")
     assert "\nTo settle most of it, show this next:\n" in ran.out
@@ -87,7 +133,7 @@ def test_what_is_not_clear_yet_is_said_with_what_to_show_next(tmp_path: Path, fe
 
 
 def test_the_json_of_a_lesson_that_is_not_clear(tmp_path: Path, few: Path) -> None:
-    ran = maestra("learn", few, "-o", tmp_path / "x.json", "--json")
+    ran = maestra("learn", few, "-o", tmp_path / "x.json", "--json", *GROUNDED)
     assert (ran.code, ran.err) == (1, "")
     answer = json.loads(ran.out)
     assert answer["status"] == "ambiguous"
@@ -101,7 +147,9 @@ def test_showing_what_is_asked_for_makes_all_clear_in_the_end(tmp_path: Path, fe
     lines = few.read_text()
     sure: list[float] = []
     while len(sure) < 20:
-        ran = maestra("learn", "-", "-o", tmp_path / "x.json", "--json", typed=lines.encode())
+        ran = maestra(
+            "learn", "-", "-o", tmp_path / "x.json", "--json", *GROUNDED, typed=lines.encode()
+        )
         answer = json.loads(ran.out)
         sure.append(answer["rules"][0]["confidence"])
         if answer["status"] == "learned":
@@ -115,7 +163,7 @@ def test_a_shown_play_is_asked_for_again_where_the_rules_allow_too_much_to_list(
     tmp_path: Path,
 ) -> None:
     shown = EXAMPLES / "first-row.jsonl"
-    ran = maestra("learn", shown, "-o", tmp_path / "x.json", "--json")
+    ran = maestra("learn", shown, "-o", tmp_path / "x.json", "--json", *GROUNDED)
     assert ran.code == 1
     asked = json.loads(ran.out)["next_demonstration"]["moves"]
     placed = [(move["token"], move["destination"]) for move in asked]
@@ -132,7 +180,7 @@ def test_a_shown_play_is_asked_for_again_where_the_rules_allow_too_much_to_list(
 )
 def test_a_lesson_is_told_in_each_language(tmp_path: Path, language: str, line: str) -> None:
     output = tmp_path / "x.json"
-    ran = maestra("learn", ASCENDING, "-o", output, "--lang", language)
+    ran = maestra("learn", ASCENDING, "-o", output, "--lang", language, *GROUNDED)
     speech = Speech(Language(language), NO_LEXICON)
     rules = speech.rules(summarise(grounded(output.read_bytes())))
     assert ran.out.startswith(" ".join(rule.text for rule in rules) + "\n")
@@ -140,7 +188,7 @@ def test_a_lesson_is_told_in_each_language(tmp_path: Path, language: str, line: 
 
 
 def test_the_exercise_may_go_to_standard_output(few: Path) -> None:
-    ran = maestra("learn", few, "-o", "-")
+    ran = maestra("learn", few, "-o", "-", *GROUNDED)
     assert grounded(ran.out.encode()).demonstrations == 3
     assert ran.err.startswith(RULES)
     assert ran.err.endswith("\nDemonstrations seen: 3. Actions learned: 10.\n")
@@ -159,9 +207,9 @@ def test_a_file_too_long_to_keep_is_read_twice_and_teaches_the_same(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, path: str
 ) -> None:
     whole, parted = tmp_path / "whole.json", tmp_path / "parted.json"
-    maestra("learn", ASCENDING, "-o", whole)
+    maestra("learn", ASCENDING, "-o", whole, *GROUNDED)
     monkeypatch.setattr(shown_file, "MAX_KEPT", 2)
-    ran = maestra("learn", path, "-o", parted, typed=ASCENDING.read_bytes())
+    ran = maestra("learn", path, "-o", parted, *GROUNDED, typed=ASCENDING.read_bytes())
     assert (ran.code, ran.err) == (0, "")
     assert parted.read_text() == whole.read_text()
 
@@ -183,7 +231,7 @@ def test_features_and_level_are_those_that_were_asked_for(tmp_path: Path) -> Non
 
 def test_planning_learns_the_same_and_says_how(tmp_path: Path) -> None:
     direct, planned = tmp_path / "direct.json", tmp_path / "planned.json"
-    maestra("learn", ASCENDING, "-o", direct)
+    maestra("learn", ASCENDING, "-o", direct, *GROUNDED)
     ran = maestra(
         *("learn", ASCENDING, "-o", planned, "--learner", "compiled"),
         *("--compiled-pddl", tmp_path / "pddl", "--engine", "clingo"),

@@ -8,7 +8,7 @@ import pytest
 
 from maestra.coaching.ports import PatientId
 from maestra.storage.opening import DATA_VARIABLE, KEYS_VARIABLE, open_store, place
-from tests.cli.running import learned, maestra
+from tests.cli.running import GROUNDED, learned, maestra
 from tests.storage.played import keep_session
 
 
@@ -176,7 +176,7 @@ def test_a_report_is_written_as_page_pictures_and_data(kept: Path) -> None:
 
 
 def test_a_session_that_was_played_is_verified_reported_exported_and_erased(kept: Path) -> None:
-    exercise = learned(kept, "ascending")
+    exercise = learned(kept, "ascending", *GROUNDED)
     arguments = ("play", exercise, "--patient", "dunlin", "--seed", "3", "--quiet")
     ran = maestra(*arguments, typed=b"19\n23\n34\nhint\nquit\n")
     assert ran.err == ""

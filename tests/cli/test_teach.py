@@ -15,7 +15,6 @@ from maestra.core.formats import decode_demonstration, encode_demonstration
 from maestra.learning import dialogue
 from maestra.learning.dialogue import MAX_QUESTIONS
 from maestra.learning.fewshot.lesson import Lesson
-from maestra.rules.exercise import LearnStatus
 from maestra.rules.answers import MoveQuestion, Question, Reply, RowQuestion, RuleQuestion
 from maestra.rules.exercise import LearnStatus, RuledExercise
 from maestra.rules.exercise_format import decode_exercise, encode_exercise
@@ -581,9 +580,3 @@ def test_learn_by_few_says_what_else_it_may_be(script: Install, tmp_path: Path) 
     ran = maestra("learn", path, "--learner", "fewshot", "-o", "-")
     assert json.loads(ran.out)["kind"] == "ruled"
     assert ran.err.startswith("Fill the whole of the top row.")
-
-
-def test_features_are_for_learners_of_actions(tmp_path: Path) -> None:
-    path = demonstrations(tmp_path, ["abc"])
-    arguments = ("learn", path, "--learner", "fewshot", "-o", tmp_path / "x", "--features", "odd")
-    assert "--features needs --learner grounded or compiled" in maestra(*arguments).err
