@@ -233,8 +233,9 @@ class Search:
         """What stands at a place of the singles and the pairs behind them."""
         if place < len(usable):
             return (usable[place],)
-        pair = few[ones[place - len(usable)]], few[twos[place - len(usable)]]
-        return (min(pair), max(pair))
+        one = few[int(ones[place - len(usable)])]
+        two = few[int(twos[place - len(usable)])]
+        return (min(one, two), max(one, two))
 
     def _pair_bits(self, few: Sequence[int], coarse: list[Words]) -> Numbers:
         """The score by the sample of each two of a few proposals; infinite for no real pair."""
