@@ -91,7 +91,7 @@ SYNONYMS: Final = Synonyms(
         Key.LARGE_TO_SMALL: _ordered("de gran a petit", "{things} baixen"),
         Key.IN_THE_ALPHABET: _ordered("en ordre alfabètic", "{things} de petit a gran"),
         Key.BACK_IN_THE_ALPHABET: _ordered("en ordre alfabètic invers"),
-        Key.FIRST_TO_LAST: ("{attribute:plural} de petit a gran", "per {attribute}"),
+        Key.FIRST_TO_LAST: ("{attribute:plural} de petit a gran",),
         Key.LAST_TO_FIRST: ("{attribute:plural} de gran a petit",),
         Key.ALL_THE_SAME: (
             "totes fitxes han de tenir mateix {attribute}",

@@ -132,7 +132,7 @@ SYNONYMS: Final = Synonyms(
         Key.LARGE_TO_SMALL: _ordered("from large to small", "{things} go down"),
         Key.IN_THE_ALPHABET: _ordered("in alphabetical order", "{things} from small to large"),
         Key.BACK_IN_THE_ALPHABET: _ordered("in reverse alphabetical order"),
-        Key.FIRST_TO_LAST: ("{attribute:plural} from small to large", "by {attribute}"),
+        Key.FIRST_TO_LAST: ("{attribute:plural} from small to large",),
         Key.LAST_TO_FIRST: ("{attribute:plural} from large to small",),
         Key.ALL_THE_SAME: ("all tokens must have same {attribute}", "only one {attribute}"),
         Key.ALL_DIFFERENT: (

@@ -94,7 +94,7 @@ SYNONYMS: Final = Synonyms(
         Key.LARGE_TO_SMALL: _ordered("de mayor a menor", "{things} bajan"),
         Key.IN_THE_ALPHABET: _ordered("en orden alfabético", "{things} de menor a mayor"),
         Key.BACK_IN_THE_ALPHABET: _ordered("en orden alfabético inverso"),
-        Key.FIRST_TO_LAST: ("{attribute:plural} de menor a mayor", "por {attribute}"),
+        Key.FIRST_TO_LAST: ("{attribute:plural} de menor a mayor",),
         Key.LAST_TO_FIRST: ("{attribute:plural} de mayor a menor",),
         Key.ALL_THE_SAME: (
             "todas fichas deben tener mismo {attribute}",

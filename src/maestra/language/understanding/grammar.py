@@ -68,6 +68,7 @@ _CONJUGATED: Final = {"": "does", "clause": "does", **{form: form for form in FO
 _OPTIONAL: Final = frozenset({"a"})
 """A word that may be missing, but is no article: it can be a letter on a token."""
 _END: Final = "(?= |$)"
+_TERMINAL: Final = re.compile(r"_?[A-Z][A-Z0-9_]*")
 _NAME: Final = re.compile(r"\w+")
 _GAP: Final = "\u25a1"
 _COMPOSED: Final = frozenset(
@@ -172,7 +173,18 @@ class Grammar:
             self.productions[known] = replace(found, wordings=tuple(wordings))
 
     def _way(self, symbol: str, right: str) -> None:
-        self._rules.setdefault(symbol, []).append(right)
+        """One way to derive a symbol, ending in a symbol of its own.
+
+        lark 1.1 and 1.3 keep one derivation only of a symbol that ends in a terminal one way and
+        in a symbol the other way, over the same words.
+        """
+        production, arrow, name = right.partition(" -> ")
+        last = production.rpartition(" ")[2]
+        if _TERMINAL.fullmatch(last):
+            ending = f"_end{last.lower()}"
+            self._rules.setdefault(ending, [last])
+            production = f"{production.removesuffix(last)}{ending}"
+        self._rules.setdefault(symbol, []).append(f"{production}{arrow}{name}")
 
     def _sentences(self, symbol: str, table: Sequence[Wording]) -> None:
         """A production for each template of each key, shared by wordings with the same gaps."""
@@ -350,7 +362,8 @@ class Grammar:
         for joint in (Joint.PLUS, Joint.TIMES):
             word = self._joint(joint)[0]
             self._way(f"terms_{joint.value}", f"_term ({word} _term)*")
-        self._way("_term", "spot | NUMBER")
+        self._way("_term", "spot")
+        self._way("_term", "NUMBER")
         for predicate in _predicates(TESTS):
             wordings = tuple(wording for wording in TESTS if wording.says is predicate)
             for said in _said_too(predicate):

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import reduce
+from heapq import nsmallest
 from itertools import islice, product
 from typing import Final, cast
 
@@ -24,7 +25,7 @@ from maestra.rules.token_tests import Both, Either, Has, Not, TokenTest
 MAX_MEANINGS: Final = 64
 """Of one phrase: what can be understood in more ways than this is not understood."""
 MAX_WAYS: Final = 8
-"""To part a sentence into clauses."""
+"""To part a sentence into clauses: the fewest, for what one rule says is seldom two."""
 _JOINTS: Final = {Key.EITHER_OF: Either, Key.BOTH_OF: Both}
 
 
@@ -59,7 +60,7 @@ class Reader:
     def _rows(self, node: Node) -> list[tuple[Node, ...]]:
         """The clauses that stand side by side below a node."""
         if id(node) not in self._parted:
-            self._parted[id(node)] = list(islice(self._parts(node), MAX_WAYS))
+            self._parted[id(node)] = nsmallest(MAX_WAYS, self._parts(node), key=len)
         return self._parted[id(node)]
 
     def _parts(self, node: Node) -> Iterator[tuple[Node, ...]]:
