@@ -32,8 +32,10 @@ assert maestra.__version__ == sys.argv[1], maestra.__version__
 assert Path(maestra.__file__).is_relative_to(sys.prefix), maestra.__file__
 assert Path(maestra.__file__).with_name("py.typed").is_file()
 names = [module.name for module in pkgutil.walk_packages(maestra.__path__, "maestra.")]
+# These two are run, not imported: by `python -m`, and by Alembic while it upgrades.
+run = (".__main__", ".migrations.env")
 for name in names:
-    if not name.endswith(".__main__"):
+    if not name.endswith(run):
         importlib.import_module(name)
 print(f"version {maestra.__version__}, {len(names)} modules load")
 PYTHON
