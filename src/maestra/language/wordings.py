@@ -114,12 +114,11 @@ class Wording:
         """
         values = dict(self.fixed)
         for name, said in read.items():
-            if name not in self.gaps:
+            gap = self.gaps.get(name)
+            value = None if gap is None else gap.part.meaning(said, about)
+            if gap is None or value is None:
                 return
-            value = self.gaps[name].part.meaning(said, about)
-            if value is None:
-                return
-            for field, one in self.gaps[name].fields(value).items():
+            for field, one in gap.fields(value).items():
                 if values.setdefault(field, one) != one:
                     return
         for gap in self.gaps.values():

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from dataclasses import fields, replace
 from functools import reduce
-from typing import Any, Final, TypeAlias, cast
+from typing import Any, Final, TypeAlias, assert_never, cast
 
 from maestra.rules.forms.base import Direction
 from maestra.rules.forms.conditions import At
@@ -91,6 +91,8 @@ def canonical_test(test: TokenTest) -> TokenTest:
             return _joined(type(test), test)
         case Anything() | Has() | Compared() | Among() | Not():
             return test
+        case _:
+            assert_never(test)
 
 
 def _joined(kind: _Joined, test: Either | Both) -> TokenTest:

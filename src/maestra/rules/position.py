@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import reduce
 
 from maestra.core.state import Move, State
 
@@ -32,7 +33,4 @@ class Position:
 
     def without_last(self) -> Position:
         """The play before its last move, of which there is one."""
-        position = Position.begin(self.start)
-        for move in self.moves[:-1]:
-            position = position.after(move)
-        return position
+        return reduce(Position.after, self.moves[:-1], Position.begin(self.start))

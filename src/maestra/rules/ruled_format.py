@@ -137,7 +137,7 @@ class RuledJson(DeckJson):
         AtMost(MAX_ALTERNATIVES),
     ] = ()
     evidence: Annotated[
-        EvidenceJson, Field(description="What the exercise rests on; teaching goes on from it.")
+        EvidenceJson, Field(description="The demonstrations, answers and exams it rests on.")
     ] = EvidenceJson()
 
     def exercise(self) -> RuledExercise:
