@@ -9,6 +9,9 @@ from maestra.core.board import Board
 from maestra.core.demonstration import Demonstration
 from maestra.core.state import Move, State
 from maestra.core.tokens import Deck, Token, TokenId
+from maestra.learning.fewshot.learner import learn
+from maestra.learning.fewshot.lesson import Lesson
+from maestra.rules.answers import Answer, Question, Reply
 from maestra.rules.setting import Play, Setting, play_of
 
 VALUES = (19, 23, 32, 34, 36, 46, 51, 67, 72, 85)
@@ -114,3 +117,8 @@ def demonstrated(play: Play) -> Demonstration:
 def row(tokens: Sequence[int], turn: int = 0) -> Play:
     """A play of these tokens of the deck."""
     return play_of(shown(tokens, turn))
+
+
+def answered(lesson: Lesson, question: Question, reply: Reply) -> Lesson:
+    """The lesson with one more answer."""
+    return learn(lesson.demonstrations, (*lesson.answers, Answer(question, reply)))

@@ -16,7 +16,7 @@ from maestra.core.tokens import Deck, Token, TokenId
 from maestra.learning.fewshot.evidence import Evidence, elsewhere
 from maestra.learning.fewshot.learner import learn
 from maestra.learning.fewshot.lesson import Lesson
-from maestra.learning.fewshot.questions import QuestionKind, next_question, update
+from maestra.learning.fewshot.questions import QuestionKind, next_question
 from maestra.learning.fewshot.slips import wrong_move
 from maestra.rules.answers import (
     Answer,
@@ -42,6 +42,7 @@ from maestra.rules.token_tests import has
 from tests.learning.fewshot_plays import (
     DECK,
     SMALL_BOARD,
+    answered,
     anywhere,
     demonstrated,
     placed,
@@ -416,7 +417,7 @@ def test_the_papers_exercises_take_two_demonstrations_and_three_answers(key: str
         question = next_question(lesson)
         if question is None:
             break
-        lesson = update(lesson, question, truly(rules, question))
+        lesson = answered(lesson, question, truly(rules, question))
     for setting in (paper_start(key, rng) for _ in range(2)):
         assert np.array_equal(right_rows(lesson.rules, setting), right_rows(rules, setting))
 

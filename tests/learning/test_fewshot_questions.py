@@ -10,12 +10,11 @@ from maestra.learning.fewshot.questions import (
     QuestionKind,
     information,
     next_question,
-    update,
 )
 from maestra.rules.answers import MoveQuestion, Reply, RowQuestion, RuleQuestion
 from maestra.rules.exercise import LearnStatus
 from maestra.rules.forms.order import Ordered
-from tests.learning.fewshot_plays import shown
+from tests.learning.fewshot_plays import answered, shown
 
 RISING = Ordered("value")
 ONE = [shown((0, 2, 5, 7, 8))]
@@ -46,7 +45,7 @@ def test_questions_lead_to_rising_numbers() -> None:
             break
         assert isinstance(question, RowQuestion)
         assert question not in {answer.question for answer in lesson.answers}
-        lesson = update(lesson, question, Reply.YES if RISING.holds(question.play) else Reply.NO)
+        lesson = answered(lesson, question, Reply.YES if RISING.holds(question.play) else Reply.NO)
     assert RISING in lesson.rules
 
 
@@ -61,7 +60,7 @@ def test_an_unsure_answer_is_not_asked_for_again() -> None:
     lesson = learn(ONE)
     first = next_question(lesson, {QuestionKind.ROW})
     assert first is not None
-    again = next_question(update(lesson, first, Reply.UNSURE), {QuestionKind.ROW})
+    again = next_question(answered(lesson, first, Reply.UNSURE), {QuestionKind.ROW})
     assert again is not None
     assert again != first
 
@@ -71,7 +70,7 @@ def test_rows_with_gaps_are_asked_about() -> None:
     for _ in range(2):
         question = next_question(lesson, {QuestionKind.ROW})
         assert isinstance(question, RowQuestion)
-        lesson = update(lesson, question, Reply.YES)
+        lesson = answered(lesson, question, Reply.YES)
 
 
 def test_an_order_of_placement_is_asked_about() -> None:

@@ -1,6 +1,6 @@
 import json
 from collections.abc import Sequence
-from copy import deepcopy
+from functools import partial
 from typing import Any, cast
 
 import pytest
@@ -20,11 +20,12 @@ from maestra.rules.exercise_format import ExerciseJson, decode_exercise, encode_
 from maestra.rules.judging import Judge
 from maestra.rules.strips.vocabulary import Level
 from scripts.write_schemas import schemas
+from tests.rules import exercise_files
 from tests.rules.ascending import exercise_of, paper_lesson
+from tests.rules.exercise_files import Path, refusal
 from tests.rules.lessons import Lesson, lessons
 from tests.rules.positions import positions_of
 
-Path = tuple[str | int, ...]
 VALIDATOR: Any = Draft202012Validator(json.loads(schemas()["exercise-1.schema.json"]))
 
 
@@ -56,32 +57,8 @@ def small() -> GroundedExercise:
 GOOD: dict[str, Any] = json.loads(encode_exercise(small()))
 
 
-def changed(*changes: tuple[Path, object]) -> bytes:
-    """The good exercise with some fields changed."""
-    fields: Any = deepcopy(GOOD)
-    for path, value in changes:
-        within = fields
-        for step in path[:-1]:
-            within = within[step]
-        within[path[-1]] = value
-    return json.dumps(fields).encode()
-
-
-def without(*path: str | int) -> bytes:
-    fields: Any = deepcopy(GOOD)
-    within = fields
-    for step in path[:-1]:
-        within = within[step]
-    del within[path[-1]]
-    return json.dumps(fields).encode()
-
-
-def refusal(content: bytes) -> str:
-    with pytest.raises(FormatError) as caught:
-        decode_exercise(content, "e.json")
-    line = str(caught.value)
-    assert line.startswith("e.json, line 1: ")
-    return line.removeprefix("e.json, line 1: ")
+changed = partial(exercise_files.changed, GOOD)
+without = partial(exercise_files.without, GOOD)
 
 
 # ------------------------------------------------------------------ round trip

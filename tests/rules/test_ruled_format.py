@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import json
 from collections.abc import Callable, Sequence
-from copy import deepcopy
 from dataclasses import replace
+from functools import partial
 from typing import Any, cast
 
 import pytest
@@ -39,9 +39,10 @@ from maestra.rules.rule import MAX_RULES
 from maestra.rules.setting import Play, Setting
 from maestra.rules.token_tests import has
 from scripts.write_schemas import schemas
+from tests.rules import exercise_files
+from tests.rules.exercise_files import Path, refusal
 from tests.rules.exercise_strategies import demonstration_of, ruled_exercises
 
-Path = tuple[str | int, ...]
 VALIDATOR: Any = Draft202012Validator(json.loads(schemas()["exercise-1.schema.json"]))
 
 RISING = Ordered("value", Direction.RISING)
@@ -80,32 +81,8 @@ def small() -> RuledExercise:
 GOOD: dict[str, Any] = json.loads(encode_exercise(small()))
 
 
-def changed(*changes: tuple[Path, object]) -> bytes:
-    """The good exercise with some fields changed."""
-    fields: Any = deepcopy(GOOD)
-    for path, value in changes:
-        within = fields
-        for step in path[:-1]:
-            within = within[step]
-        within[path[-1]] = value
-    return json.dumps(fields).encode()
-
-
-def without(*path: str | int) -> bytes:
-    fields: Any = deepcopy(GOOD)
-    within = fields
-    for step in path[:-1]:
-        within = within[step]
-    del within[path[-1]]
-    return json.dumps(fields).encode()
-
-
-def refusal(content: bytes) -> str:
-    with pytest.raises(FormatError) as caught:
-        decode_exercise(content, "e.json")
-    line = str(caught.value)
-    assert line.startswith("e.json, line 1: ")
-    return line.removeprefix("e.json, line 1: ")
+changed = partial(exercise_files.changed, GOOD)
+without = partial(exercise_files.without, GOOD)
 
 
 # ------------------------------------------------------------------ round trip

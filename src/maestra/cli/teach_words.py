@@ -1,11 +1,11 @@
 """What a person types in answer to what is asked while teaching."""
 
-import unicodedata
 from collections.abc import Sequence
 
 from maestra.cli.drawing import label
 from maestra.core.demonstration import Demonstration
 from maestra.core.state import Move
+from maestra.core.text import without_accents
 from maestra.language import Language
 from maestra.language.teaching import Teacher, typed_words
 from maestra.language.teaching_keys import TeachKey as Key
@@ -124,5 +124,4 @@ def _cell_typed(line: str, dialogue: Dialogue, number: int) -> int | None:
 
 def _plain(text: str) -> str:
     """Small letters without accents."""
-    apart = unicodedata.normalize("NFD", text.casefold().strip())
-    return "".join(sign for sign in apart if not unicodedata.combining(sign))
+    return without_accents(text.casefold().strip())

@@ -1,21 +1,17 @@
 """Chance without a source of randomness: numbers that follow from a seed, SplitMix64.
 
 Every draw is a pure function of the state before it, so that a recorded session replays. The
-generator adds a constant to its state and mixes the sum; the constants and the mixing are those
-of the public reference [1], whose first numbers the tests check.
-
-[1] Pseudo-random numbers/Splitmix64, Rosetta Code (after Steele, Lea, Flood, Fast splittable
-pseudorandom number generators, OOPSLA 2014).
+generator adds a constant to its state and mixes the sum, as `core.mixing` says; the tests check
+the first numbers of the reference named there.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
-from typing import Final, TypeVar
+from typing import TypeVar
 
-_MASK: Final = 2**64 - 1
-_GAMMA: Final = 0x9E3779B97F4A7C15
+from maestra.core.mixing import GOLDEN, MASK, mixed
 
 _T = TypeVar("_T")
 
@@ -29,10 +25,8 @@ class Chance:
 
     def word(self) -> tuple[int, Chance]:
         """A number from 0 to 2^64 - 1, and the place after it."""
-        state = (self.state + _GAMMA) & _MASK
-        mixed = ((state ^ (state >> 30)) * 0xBF58476D1CE4E5B9) & _MASK
-        mixed = ((mixed ^ (mixed >> 27)) * 0x94D049BB133111EB) & _MASK
-        return mixed ^ (mixed >> 31), Chance(state)
+        state = (self.state + GOLDEN) & MASK
+        return mixed(state), Chance(state)
 
     def below(self, count: int) -> tuple[int, Chance]:
         """A number from 0 to `count` - 1, each as likely (to one part in 2^64 / count)."""
@@ -59,7 +53,7 @@ class Chance:
 
     def split(self, number: int) -> Chance:
         """A stream of its own for each `number`, none of which the draws from here touch."""
-        word, _ = Chance((self.state ^ (number * 0xD1342543DE82EF95 + 1)) & _MASK).word()
+        word, _ = Chance((self.state ^ (number * 0xD1342543DE82EF95 + 1)) & MASK).word()
         return Chance(word)
 
 

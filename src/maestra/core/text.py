@@ -1,6 +1,7 @@
 """What may be an id, a name, a word, a value: text that any terminal and any file can show."""
 
 import re
+import unicodedata
 from typing import Final
 
 from maestra.core.faults import Fault, shorten
@@ -19,6 +20,12 @@ _NOT_PLAIN: Final = re.compile("[\x00-\x1f\x7f-\x9f\ud800-\udfff]")
 def is_plain(text: str) -> bool:
     """Whether `text` has neither control characters nor halves of characters."""
     return _NOT_PLAIN.search(text) is None
+
+
+def without_accents(text: str) -> str:
+    """The letters alone: ``más`` is ``mas``."""
+    apart = unicodedata.normalize("NFKD", text)
+    return "".join(letter for letter in apart if not unicodedata.combining(letter))
 
 
 def faults_of_name(where: str, text: str) -> list[Fault]:

@@ -6,12 +6,9 @@ The same numbers make the same choice, on every machine and in any order of aski
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import Final, TypeVar
+from typing import TypeVar
 
-_MASK: Final = 2**64 - 1
-_GOLDEN: Final = 0x9E3779B97F4A7C15
-_ROUNDS: Final = ((30, 0xBF58476D1CE4E5B9), (27, 0x94D049BB133111EB))
-"""Shifts and factors of splitmix64."""
+from maestra.core.mixing import GOLDEN, MASK, mixed
 
 _Item = TypeVar("_Item")
 
@@ -20,10 +17,7 @@ def hashed(*numbers: int) -> int:
     """A number from 0 to below 2^64 that any change of `numbers` changes all over."""
     state = 0
     for number in numbers:
-        state = (state + number % 2**64 + _GOLDEN) & _MASK
-        for shift, factor in _ROUNDS:
-            state = ((state ^ (state >> shift)) * factor) & _MASK
-        state ^= state >> 31
+        state = mixed((state + number + GOLDEN) & MASK)
     return state
 
 

@@ -7,13 +7,13 @@ and what people say for a word is replaced by the word that sentences use.
 from __future__ import annotations
 
 import re
-import unicodedata
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from decimal import Decimal
 from functools import cached_property
 from typing import Final
 
+from maestra.core.text import without_accents
 from maestra.language.synonyms import Synonyms
 from maestra.language.tongue import Grammar
 
@@ -98,12 +98,6 @@ class Plainly:
                 found.append(words[start])
                 start += 1
         return found
-
-
-def without_accents(text: str) -> str:
-    """The letters alone: ``más`` is ``mas``."""
-    apart = unicodedata.normalize("NFKD", text)
-    return "".join(letter for letter in apart if not unicodedata.combining(letter))
 
 
 def escaped(text: str) -> str:

@@ -14,11 +14,10 @@ from typing import Final, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from maestra.learning.fewshot.learner import learn
 from maestra.learning.fewshot.lesson import Belief, Lesson
 from maestra.learning.fewshot.prior import OUTSIDE_YES, TRUST
 from maestra.learning.fewshot.space import Context, follows, unpack
-from maestra.rules.answers import Answer, MoveQuestion, Question, Reply, RowQuestion, RuleQuestion
+from maestra.rules.answers import MoveQuestion, Question, RowQuestion, RuleQuestion
 from maestra.rules.exercise import LearnStatus
 from maestra.rules.forms.timing import FillOrder
 from maestra.rules.plays import NOBODY, Tokens
@@ -68,11 +67,6 @@ def next_question(lesson: Lesson, kinds: Collection[QuestionKind] = ALL_KINDS) -
         if candidate.worth >= LEAST and candidate.question not in asked
     ]
     return max(candidates, key=lambda c: c.worth).question if candidates else None
-
-
-def update(lesson: Lesson, question: Question, reply: Reply) -> Lesson:
-    """The lesson with one more answer."""
-    return learn(lesson.demonstrations, (*lesson.answers, Answer(question, reply)))
 
 
 def _weights(belief: Belief) -> tuple[NDArray[np.float64], float]:
