@@ -1,0 +1,34 @@
+"""The web app put together: routes, static files, headers."""
+
+from __future__ import annotations
+
+from importlib.resources import files
+from typing import Final
+
+from fastapi import FastAPI
+from starlette.staticfiles import StaticFiles
+
+from maestra import __version__
+from maestra.web import home, language_choice
+from maestra.web.context import Context
+from maestra.web.headers import SecurityHeaders
+
+ROUTERS: Final = (home.router, language_choice.router)
+
+
+def create_app(context: Context) -> FastAPI:
+    """The application; it uses what `context` holds until the server stops."""
+    app = FastAPI(
+        title="Maestra",
+        version=__version__,
+        # Their pages come from elsewhere; the document itself is ours.
+        docs_url=None,
+        redoc_url=None,
+        openapi_url="/api/openapi.json",
+    )
+    app.state.context = context
+    for router in ROUTERS:
+        app.include_router(router)
+    app.mount("/static", StaticFiles(directory=str(files("maestra.web") / "static")), "static")
+    app.add_middleware(SecurityHeaders, over_tls=context.over_tls)
+    return app

@@ -1,0 +1,38 @@
+"""In which language a visitor reads: as chosen, else as their browser asks, else English."""
+
+from __future__ import annotations
+
+from typing import Annotated, Final
+
+from fastapi import APIRouter, Form
+from fastapi.responses import RedirectResponse
+from starlette.requests import HTTPConnection
+
+from maestra.language import Language
+
+COOKIE: Final = "maestra-language"
+A_YEAR_S: Final = 365 * 24 * 3600
+
+router: Final = APIRouter(include_in_schema=False)
+
+
+def language_of(connection: HTTPConnection) -> Language:
+    """The language for this visitor."""
+    wanted = [connection.cookies.get(COOKIE, "")]
+    # Browsers list what is liked best first; weights would hardly ever change the order.
+    accepted = connection.headers.get("accept-language", "")
+    wanted += [part.split(";")[0].strip()[:2].lower() for part in accepted.split(",")]
+    known = {one.value: one for one in Language}
+    return next((known[code] for code in wanted if code in known), Language.EN)
+
+
+@router.post("/language")
+def choose(
+    language: Annotated[Language, Form()], back: Annotated[str, Form(max_length=300)] = "/"
+) -> RedirectResponse:
+    """Read in another language from now on, on the same page."""
+    # Only to a page of ours: "//elsewhere" would lead away.
+    ours = back.startswith("/") and not back.startswith(("//", "/\\"))
+    answer = RedirectResponse(back if ours else "/", 303)
+    answer.set_cookie(COOKIE, language.value, max_age=A_YEAR_S, httponly=True, samesite="strict")
+    return answer
