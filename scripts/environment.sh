@@ -1,8 +1,9 @@
 #!/usr/bin/env bash
 # Make the virtual environment ready, quickly when nothing changed.
 #
-#   scripts/environment.sh product    Maestra and what it needs to run
-#   scripts/environment.sh developer  that, the planning extra and every tool of `make test`
+#   scripts/environment.sh product    Maestra and what it needs to run, and a voice if it can
+#   scripts/environment.sh developer  that, the planning extra and every tool of `make test`: also
+#                                     PostgreSQL, Chromium and espeak-ng, installed if root asks
 #   scripts/environment.sh nightly    the tools of `make fuzz`, `make mutation`, `make oracle`
 #
 # PYTHON names the interpreter to build it with; VENV the folder (.venv).
@@ -58,23 +59,62 @@ ensure_venv_module() {
     refuse "$python cannot make virtual environments; install its venv module first (on Debian, as root: apt-get install $package)"
 }
 
+can_install() {
+    [[ $(id -u) -eq 0 ]] && command -v apt-get >/dev/null
+}
+
+# Debian's packages, with what is said of them.
+install_packages() {
+    local why=$1
+    shift
+    echo "Installing $*, $why"
+    apt-get update -qq && DEBIAN_FRONTEND=noninteractive apt-get install -y -qq \
+        --no-install-recommends -o Dpkg::Options::=--force-confold "$@" >/dev/null
+}
+
 # The tests start a PostgreSQL server of their own; only its programs must be there.
 ensure_postgresql() {
     if compgen -G '/usr/lib/postgresql/*/bin/initdb' >/dev/null || command -v initdb >/dev/null; then
         return
     fi
-    if [[ $(id -u) -eq 0 ]] && command -v apt-get >/dev/null; then
-        echo "Installing postgresql, which the tests of the record need"
+    if can_install; then
         # No server of the system's own: the tests bring their folder and their user's rights.
         mkdir -p /etc/postgresql-common
         [[ -e /etc/postgresql-common/createcluster.conf ]] ||
             echo 'create_main_cluster = false' >/etc/postgresql-common/createcluster.conf
-        if apt-get update -qq && DEBIAN_FRONTEND=noninteractive apt-get install -y -qq \
-            -o Dpkg::Options::=--force-confold postgresql >/dev/null; then
+        if install_packages "which the tests of the record need" postgresql; then
             return
         fi
     fi
     refuse "the tests need the programs of PostgreSQL; install them first (on Debian, as root: apt-get install postgresql)"
+}
+
+# The tests of the pages drive the system's own browser: nothing is fetched by Playwright.
+ensure_chromium() {
+    if command -v chromium >/dev/null; then
+        return
+    fi
+    if can_install && install_packages "which the tests of the pages need" chromium; then
+        return
+    fi
+    refuse "the tests need Chromium; install it first (on Debian, as root: apt-get install chromium)"
+}
+
+# The robot's voice. Without it what it says is only read, so nobody is kept from using Maestra.
+offer_espeak() {
+    if command -v espeak-ng >/dev/null; then
+        return
+    fi
+    if can_install && install_packages "the voice of the robot" espeak-ng; then
+        return
+    fi
+    echo "maestra: without espeak-ng the robot only writes what it says; to hear it, install it (on Debian, as root: apt-get install espeak-ng)" >&2
+}
+
+ensure_espeak() {
+    offer_espeak
+    command -v espeak-ng >/dev/null ||
+        refuse "the tests need espeak-ng; install it first (on Debian, as root: apt-get install espeak-ng)"
 }
 
 # False for a folder that was moved or copied (its programs name their old place), or whose
@@ -94,6 +134,10 @@ if ! environment_is_sound; then
 fi
 
 [[ $level == product ]] || ensure_postgresql
+if [[ $level == developer ]]; then
+    ensure_chromium
+    ensure_espeak
+fi
 
 # What is installed follows from pyproject.toml alone, so its content is the stamp.
 wanted=$(cat pyproject.toml scripts/environment.sh | sha256sum | cut -d ' ' -f 1)
@@ -110,6 +154,7 @@ echo "Installing Maestra in $venv ($level); the first time takes about a minute"
 pip=("$venv/bin/python" -m pip --disable-pip-version-check -qq)
 case $level in
 product)
+    offer_espeak
     "${pip[@]}" install --editable .
     ;;
 developer)
