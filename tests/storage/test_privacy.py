@@ -19,7 +19,9 @@ from tests.storage.servers import PostgresServer
 
 NAME = "Montserrat Casademunt"
 WORD = "unmistakable-word"
-NEEDLES = tuple(word.encode() for word in (PATIENT, NAME, WORD, SESSION, "leisurely"))
+NEEDLES = tuple(
+    word.encode() for word in (PATIENT, NAME, WORD, SESSION, "leisurely", "four-legged-first")
+)
 Opening = Callable[[Place], SqlStore]
 
 
@@ -27,6 +29,7 @@ def fill(store: SqlStore) -> None:
     store.save_exercise("ascending", "{}")
     store.save_settings(PATIENT, '{"pace": "leisurely"}')
     store.save_name(PATIENT, NAME)
+    store.save_plan(PATIENT, '{"exercises": ["four-legged-first"]}')
     store.save_session(session())
     store.events.append([entry(number, word=WORD) for number in range(20)])
     store.save_session(session(SessionId("other session"), OTHER))
@@ -76,7 +79,7 @@ def test_an_erased_patient_is_nowhere_and_the_chain_still_holds(
     assert store.patients() == (OTHER,)
     assert [one.patient for one in store.sessions()] == [OTHER]
     assert [one.kind for one in store.events.entries()] == ["event", ERASED]
-    for lookup in (store.settings, store.name, store.everything, store.erase):
+    for lookup in (store.settings, store.name, store.plan, store.everything, store.erase):
         with pytest.raises(KeyError):
             lookup(PATIENT)
     assert store.verify() == Sound(22, 22, 0, 4)
@@ -103,7 +106,7 @@ def test_who_is_erased_stays_erased_in_older_backups(
     store.close()
     elsewhere = Place(str(tmp_path / "restored"), place.keys)
     restored = restore(tmp_path / "backup", elsewhere)
-    assert restored.left_out == 4
+    assert restored.left_out == 5
     again = opened(elsewhere)
     assert again.patients() == (OTHER,)
     assert again.verify() == Sound(21, 21, 0, 4)
@@ -162,7 +165,7 @@ def test_drill_a_backup_restored_on_another_machine_is_the_same_record(
     store.close()
     other_machine = Place(str(tmp_path / "new" / "data"), tmp_path / "new" / "keys")
     restored = restore(tmp_path / "backup", other_machine, tmp_path / "all.keys")
-    assert (rows, restored.events, restored.left_out) == (29, 21, 0)
+    assert (rows, restored.events, restored.left_out) == (30, 21, 0)
     again = opened(other_machine)
     assert contents(again) == before
     assert again.verify() == Sound(21, 21, 0, 4)

@@ -23,6 +23,7 @@ from maestra.storage.tables import (
     NAMES,
     OF_A_PATIENT,
     PATIENTS,
+    PLANS,
     SESSIONS,
     SETTINGS,
 )
@@ -158,6 +159,23 @@ class SqlStore:
         """
         return self._get(NAMES, patient)
 
+    def save_plan(self, patient: PatientId, plan: str) -> None:
+        """Keep what caregivers intend with a patient (JSON); who is not known yet is then."""
+
+        def save(connection: Connection) -> None:
+            subject = self._known_or_new(connection, patient)
+            self._put(connection, PLANS, subject, plan)
+
+        self._write(save)
+
+    def plan(self, patient: PatientId) -> str:
+        """What caregivers intend with a patient.
+
+        Raises:
+            KeyError: nothing yet.
+        """
+        return self._get(PLANS, patient)
+
     def erase(self, patient: PatientId) -> None:
         """Destroy a patient's key, forget who it was, and clean the database of what is left.
 
@@ -196,6 +214,7 @@ class SqlStore:
             "patient": patient,
             "name": self._perhaps(NAMES, patient),
             "settings": _parsed(self._perhaps(SETTINGS, patient)),
+            "plan": _parsed(self._perhaps(PLANS, patient)),
             "sessions": [
                 {**asdict(one), "settings": _parsed(one.settings), "events": self._told(one)}
                 for one in sessions
@@ -239,8 +258,15 @@ class SqlStore:
 
     def sessions(self, patient: PatientId | None = None) -> tuple[StoredSession, ...]:
         """The sessions of one patient or of all, the earliest first."""
+        query = select(SESSIONS)
         with self._database.reading() as connection:
-            rows = connection.execute(select(SESSIONS)).all()
+            if patient is not None and patient != NOBODY:
+                try:
+                    subject = self._known(connection, patient)
+                except KeyError:
+                    return ()
+                query = query.where(SESSIONS.c.subject == subject)
+            rows = connection.execute(query).all()
         found: list[StoredSession] = []
         for row in rows:
             try:

@@ -75,6 +75,14 @@ SETTINGS: Final = Table(
     Column("sealed", LargeBinary, nullable=False),
 )
 
+PLANS: Final = Table(
+    "plans",
+    METADATA,
+    Column("subject", String(32), primary_key=True),
+    Column("sealed", LargeBinary, nullable=False),
+)
+"""What caregivers intend with a patient: exercises, settings that are being changed."""
+
 SESSIONS: Final = Table(
     "sessions",
     METADATA,
@@ -83,5 +91,5 @@ SESSIONS: Final = Table(
     Column("sealed", LargeBinary, nullable=False),
 )
 
-OF_A_PATIENT: Final = (PATIENTS, NAMES, SETTINGS, SESSIONS)
+OF_A_PATIENT: Final = (PATIENTS, NAMES, SETTINGS, PLANS, SESSIONS)
 """What erasing a patient empties of them; events keep their rows, which nobody can read then."""
