@@ -26,7 +26,7 @@ from maestra.storage.chain import Tampered, verify
 from maestra.storage.opening import Place, make_folders
 from maestra.storage.record import Signer, links
 from maestra.storage.store import SqlStore
-from maestra.storage.tables import METADATA, OF_A_PATIENT, STORE
+from maestra.storage.tables import METADATA, OF_A_PATIENT, PASSING, STORE
 from maestra.storage.vault import StoreId, SubjectId, Vault, flush_folder
 
 BACKUP_FORMAT: Final = "maestra.backup/1"
@@ -60,7 +60,7 @@ def back_up(store: SqlStore, path: Path) -> int:
 
         put({"format": BACKUP_FORMAT, "store": store.vault.store, "tables": schema.VERSION})
         with store.database.reading() as connection:
-            for table in METADATA.sorted_tables:
+            for table in (one for one in METADATA.sorted_tables if one not in PASSING):
                 for row in connection.execute(select(table)):
                     put([table.name, [_encoded(value) for value in row]])
                     rows += 1

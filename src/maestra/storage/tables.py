@@ -1,7 +1,8 @@
 """The tables, as they are after all migrations.
 
 Whatever belongs to a patient is sealed with that patient's key before it comes here (`vault`):
-a tag stands for each pseudonym, session and key, a random number for each person.
+a tag stands for each pseudonym, session and key, a random number for each person. So it is with
+accounts, too: each has a key of its own.
 """
 
 from typing import Final
@@ -91,5 +92,63 @@ SESSIONS: Final = Table(
     Column("sealed", LargeBinary, nullable=False),
 )
 
-OF_A_PATIENT: Final = (PATIENTS, NAMES, SETTINGS, PLANS, SESSIONS)
+ACCOUNTS: Final = Table(
+    "accounts",
+    METADATA,
+    Column("account", String(32), primary_key=True),
+    Column("tag", String(32), nullable=False, unique=True),
+    Column("sealed", LargeBinary, nullable=False),
+)
+"""Who may log in. The tag stands for the name; all else is sealed with the account's own key."""
+
+LOGINS: Final = Table(
+    "logins",
+    METADATA,
+    Column("digest", String(64), primary_key=True),
+    Column("kind", String(20), nullable=False),
+    Column("holder", String(32), nullable=False),
+    Column("begun_ms", BigInteger, nullable=False),
+    Column("used_ms", BigInteger, nullable=False),
+)
+"""Who is logged in: the SHA-256 of what their browser holds, and whose it is."""
+
+DEVICES: Final = Table(
+    "devices",
+    METADATA,
+    Column("device", String(32), primary_key=True),
+    Column("digest", String(64), nullable=False, unique=True),
+    Column("kind", String(20), nullable=False),
+    Column("label", String(200), nullable=False),
+    Column("room", String(200)),
+    Column("subject", String(32)),
+    Column("pin", String(200)),
+    Column("account", String(32), nullable=False),
+    Column("made_ms", BigInteger, nullable=False),
+)
+"""Boards, robots and patients' screens: the SHA-256 of each one's token, and what it opens."""
+
+CAREGIVERS: Final = Table(
+    "caregivers",
+    METADATA,
+    Column("subject", String(32), primary_key=True),
+    Column("account", String(32), primary_key=True),
+)
+"""Which accounts care for which patients."""
+
+AUDIT: Final = Table(
+    "audit",
+    METADATA,
+    Column("number", BigInteger, primary_key=True, autoincrement=False),
+    Column("utc", String(40), nullable=False),
+    Column("account", String(32)),
+    Column("act", String(40), nullable=False),
+    Column("subject", String(32)),
+    Column("detail", String(300), nullable=False),
+)
+"""Who did what, to whom, when. A patient who is erased becomes a number that means nobody."""
+
+PASSING: Final = (LOGINS,)
+"""Not in backups: nobody is logged in after one is restored."""
+
+OF_A_PATIENT: Final = (PATIENTS, NAMES, SETTINGS, PLANS, SESSIONS, DEVICES, CAREGIVERS)
 """What erasing a patient empties of them; events keep their rows, which nobody can read then."""
