@@ -15,7 +15,9 @@ from maestra.coaching.ports import (
 )
 from maestra.core.faults import Fault, InvalidError, refuse
 from maestra.core.text import faults_of_name
+from maestra.storage.access import AccessStore
 from maestra.storage.chain import Verification
+from maestra.storage.custody import CustodyStore
 from maestra.storage.database import Database
 from maestra.storage.record import Record, Signer, demand_writer, session_tag
 from maestra.storage.tables import (
@@ -55,6 +57,8 @@ class SqlStore:
         signer = Signer(vault)
         self._writer = Writer(database, signer.closing) if writes else None
         self._record = Record(database, vault, self._writer)
+        self._access = AccessStore(database, vault, self._write, self._known)
+        self._custody = CustodyStore(database, vault, self._write, self._known, self._known_or_new)
         if self._writer is not None:
             self._writer.run(lambda _: None)  # signs what a crash has left unsigned
             signer.started()
@@ -63,6 +67,16 @@ class SqlStore:
     def events(self) -> Record:
         """The record of events."""
         return self._record
+
+    @property
+    def access(self) -> AccessStore:
+        """Accounts, logins and devices."""
+        return self._access
+
+    @property
+    def custody(self) -> CustodyStore:
+        """Who cares for whom, and the audit."""
+        return self._custody
 
     @property
     def vault(self) -> Vault:
