@@ -98,6 +98,15 @@ class SqlStore:
         """Whether the record is what was written."""
         return self._record.verify()
 
+    def write(self, job: Callable[[Connection], _Made]) -> _Made:
+        """Do `job` in a transaction; what it wrote is on the disk when this returns.
+
+        Raises:
+            OSError: it could not be kept.
+            Exception: whatever `job` raised, with nothing of it kept.
+        """
+        return self._write(job)
+
     # ------------------------------------------------------------ exercises
 
     def save_exercise(self, name: str, exercise: str, demonstrations: str = "") -> int:

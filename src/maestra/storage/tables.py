@@ -147,6 +147,37 @@ AUDIT: Final = Table(
 )
 """Who did what, to whom, when. A patient who is erased becomes a number that means nobody."""
 
+DRAFTS: Final = Table(
+    "drafts",
+    METADATA,
+    Column("draft", String(32), primary_key=True),
+    Column("account", String(32), nullable=False),
+    Column("version", Integer, nullable=False),
+    Column("changed_utc", String(40), nullable=False),
+    Column("content", Text, nullable=False),
+    Index("drafts_by_account", "account"),
+)
+"""Exercises that are being taught, as they were left; each belongs to an account."""
+
+PICTURES: Final = Table(
+    "pictures",
+    METADATA,
+    Column("digest", String(64), primary_key=True),
+    Column("media_type", String(40), nullable=False),
+    Column("content", LargeBinary, nullable=False),
+)
+"""Photographs and drawings on tokens, by the SHA-256 of their bytes."""
+
+SHOWN_PICTURES: Final = Table(
+    "shown_pictures",
+    METADATA,
+    Column("exercise", String(200), primary_key=True),
+    Column("version", Integer, primary_key=True, autoincrement=False),
+    Column("value", String(1000), primary_key=True),
+    Column("digest", String(64), nullable=False),
+)
+"""What tokens of an exercise show under `picture`, each with the picture."""
+
 PASSING: Final = (LOGINS,)
 """Not in backups: nobody is logged in after one is restored."""
 
