@@ -1,0 +1,64 @@
+"""The app on a real server, in this process, so that tests see what it holds."""
+
+import socket
+import threading
+import time
+from collections.abc import Callable, Generator
+from contextlib import contextmanager
+from dataclasses import dataclass
+from pathlib import Path
+
+import uvicorn
+from fastapi import FastAPI
+
+from maestra.storage.opening import open_store, place
+from maestra.web.application import create_app
+from maestra.web.clock import Clock, SystemClock
+from maestra.web.context import Context
+
+STARTED_WITHIN_S = 30.0
+
+
+@dataclass(frozen=True, slots=True)
+class Served:
+    """A server that answers, and its insides."""
+
+    url: str
+    app: FastAPI
+    context: Context
+
+
+@contextmanager
+def serving(
+    folder: Path,
+    prepare: Callable[[FastAPI], None] = lambda _: None,
+    clock: Clock | None = None,
+) -> Generator[Served]:
+    """The app on a free port of this computer, with a record of its own in `folder`."""
+    store = open_store(place(str(folder / "data"), str(folder / "keys")))
+    context = Context(store, folder / "cache", clock or SystemClock())
+    app = create_app(context)
+    prepare(app)
+    # Bound here, so that nobody else takes the port before the server does.
+    listener = socket.create_server(("127.0.0.1", 0))
+    port = int(listener.getsockname()[1])
+    config = uvicorn.Config(app, log_config=None, access_log=False, timeout_graceful_shutdown=2)
+    server = uvicorn.Server(config)
+    thread = threading.Thread(target=server.run, args=([listener],), name="server", daemon=True)
+    thread.start()
+    try:
+        _wait_until(lambda: server.started or not thread.is_alive())
+        yield Served(f"http://localhost:{port}", app, context)
+    finally:
+        server.should_exit = True
+        thread.join(STARTED_WITHIN_S)
+        listener.close()
+        store.close()
+
+
+def _wait_until(done: Callable[[], bool]) -> None:
+    patience = time.monotonic() + STARTED_WITHIN_S
+    while not done():
+        if time.monotonic() > patience:
+            raise TimeoutError("the server does not start")
+        time.sleep(0.01)
