@@ -11,7 +11,7 @@ from typing import Any
 
 import pytest
 
-from maestra.cli import examining
+from maestra.coaching import examining
 from maestra.core.demonstration import Demonstration
 from maestra.learning.fewshot.learner import learn
 from maestra.learning.fewshot.lesson import Lesson

@@ -1,9 +1,8 @@
 """`maestra exam`: Maestra plays by its rules, and the caregiver says what is right."""
 
 import datetime as dt
-import math
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 import typer
 
@@ -16,20 +15,19 @@ from maestra.cli.screen import Screen
 from maestra.cli.streams import print_json, write_file
 from maestra.cli.taught_lesson import speech_of
 from maestra.cli.teach_lines import REPLIES, played_json
-from maestra.cli.teach_telling import as_demonstration, drawn, how_to
+from maestra.cli.teach_telling import drawn, how_to
 from maestra.cli.teach_words import word_typed
 from maestra.cli.terms import THE_ANSWER_IS_NO
+from maestra.coaching.asking import as_demonstration
+from maestra.coaching.examining import Changes, Outcome, examined, truth
 from maestra.core.faults import Fault
 from maestra.core.json_lines import FormatError
 from maestra.language import Language
 from maestra.language.teaching import Teacher
 from maestra.language.teaching_keys import TeachKey as Key
 from maestra.language.terminal import TerminalKey, terminal_sentence
-from maestra.learning.exam import ExamPlay, exam_plays, most_wrong, objections, result
-from maestra.learning.fewshot.learner import learn
-from maestra.learning.taught import taught_exercise
+from maestra.learning.exam import ExamPlay, exam_plays
 from maestra.rules.answers import Reply, RowQuestion
-from maestra.rules.exercise import Exam, RuledExercise
 from maestra.rules.exercise_format import encode_exercise
 from maestra.rules.rule import Rule
 
@@ -46,30 +44,6 @@ class Request:
     seed: int
     by_lines: bool
     """Whether a program answers, line by line."""
-
-
-@dataclass(frozen=True, slots=True)
-class Changes:
-    """What became of the rules."""
-
-    added: tuple[Rule, ...] = ()
-    dropped: tuple[Rule, ...] = ()
-
-
-@dataclass(frozen=True, slots=True)
-class Outcome:
-    """What an exam came to."""
-
-    exam: Exam
-    exercise: RuledExercise
-    changes: Changes | None
-    """None: nothing was learned from it."""
-    objected: bool
-
-    @property
-    def most_wrong(self) -> float:
-        """The share of plays that may be wrong at most, with 95 % confidence."""
-        return most_wrong(self.exam.plays, self.exam.agreed)
 
 
 def exam(request: Request, language: str, words_file: str | None) -> None:
@@ -90,36 +64,11 @@ def exam(request: Request, language: str, words_file: str | None) -> None:
         raise typer.Exit(THE_ANSWER_IS_NO)
 
 
-def examined(
-    exercise: RuledExercise, judged: Sequence[tuple[ExamPlay, Reply]], date: str
-) -> Outcome:
-    """The exercise with the exam, and with what was learned from objections."""
-    held, new = result(judged, date), objections(judged)
-    evidence = exercise.evidence
-    if not new or not evidence.demonstrations:
-        answers = (*evidence.answers, *new)
-        kept = replace(evidence, answers=answers, exams=(*evidence.exams, held))
-        return Outcome(held, replace(exercise, evidence=kept), None, bool(new))
-    lesson = learn(evidence.demonstrations, (*evidence.answers, *new))
-    after = taught_exercise(lesson, exams=(*evidence.exams, held))
-    old = exercise.conjunction
-    changes = Changes(
-        tuple(rule for rule in after.conjunction if rule not in old),
-        tuple(rule for rule in old if rule not in after.conjunction),
-    )
-    return Outcome(held, after, changes, objected=True)
-
-
 def told(outcome: Outcome, teacher: Teacher) -> Iterator[Output]:
     """The result in words: plain truth, then what changed."""
-    held = outcome.exam
-    if held.plays:
-        yield Said(" ".join(_truth(outcome, teacher)), Tone.HEADING)
-    else:
-        yield Said(teacher.say(Key.NOTHING_EXAMINED), Tone.HEADING)
-    if held.near_misses:
-        plays, agreed = held.near_misses, held.near_misses_agreed
-        yield Said(teacher.say(Key.NEAR_MISSES, plays=plays, agreed=agreed))
+    heading, *rest = truth(outcome.exam, teacher)
+    yield Said(heading, Tone.HEADING)
+    yield from map(Said, rest)
     if outcome.changes is None:
         if outcome.objected:
             yield Said(teacher.say(Key.ONLY_TOLD), Tone.WRONG)
@@ -131,14 +80,6 @@ def told(outcome: Outcome, teacher: Teacher) -> Iterator[Output]:
     yield Said(teacher.say(Key.NOW), Tone.HEADING)
     yield from (Said(line) for line in ruled_lines(outcome.exercise, speech_of(teacher)))
     yield Said(teacher.say(Key.EXAMINE_AGAIN), Tone.HEADING)
-
-
-def _truth(outcome: Outcome, teacher: Teacher) -> Iterator[str]:
-    held = outcome.exam
-    yield teacher.say(Key.AGREED, agreed=held.agreed, plays=held.plays)
-    percent = math.ceil(100 * outcome.most_wrong)
-    if percent < 100:  # noqa: PLR2004 - per cent; fewer than all is no news
-        yield teacher.say(Key.BOUND, percent=percent)
 
 
 class _OnTerminal:

@@ -5,7 +5,7 @@ import json
 from maestra.cli.answer_lines import AGAIN, ENOUGH, AnswerJson, AnswerLines
 from maestra.cli.streams import print_json
 from maestra.cli.taught_lesson import lesson_json, rules_json, slips_json
-from maestra.cli.teach_telling import as_demonstration, asked_play, moments, question_text
+from maestra.coaching.asking import as_demonstration, asked_play, moments, question_text
 from maestra.core.demonstration import Play as Played
 from maestra.core.formats import encode_demonstration, encode_move
 from maestra.language.teaching import Teacher

@@ -5,11 +5,9 @@ from collections.abc import Iterator
 from maestra.cli.lesson_of_rules import ruled_lines
 from maestra.cli.outputs import Drawn, Output, Said, Tone
 from maestra.cli.taught_lesson import speech_of, understood
-from maestra.core.demonstration import Demonstration
+from maestra.coaching.asking import as_demonstration, asked_play, moments, question_text
 from maestra.language.teaching import Teacher
 from maestra.language.teaching_keys import TeachKey as Key
-from maestra.learning.contradictions import Contradiction, Moment, Shown, Understood
-from maestra.learning.contradictions import Said as SaidBefore
 from maestra.learning.dialogue import (
     AskAgain,
     AskCell,
@@ -19,65 +17,8 @@ from maestra.learning.dialogue import (
     Dialogue,
     Finished,
 )
-from maestra.rules.answers import MoveQuestion, Question, RowQuestion, RuleQuestion
 from maestra.rules.exercise import RuledExercise
-from maestra.rules.setting import Play, play_of
-
-
-def question_text(dialogue: Dialogue, teacher: Teacher) -> str:
-    """What is asked, in one sentence or two."""
-    match dialogue.ask:
-        case AskQuestion(question):
-            return teacher.question(question)
-        case AskAgain(contradiction, question):
-            earlier, later = moments(dialogue, contradiction, teacher)
-            asked = teacher.question(question)
-            return teacher.say(Key.ASK_AGAIN, earlier=earlier, later=later, question=asked)
-        case AskCell():
-            return teacher.say(Key.WHICH_IS_WRONG)
-        case AskSlip(slip):
-            play = play_of(dialogue.demonstrations[slip.demonstration])
-            number, rules = slip.demonstration + 1, dialogue.lesson.rules
-            return teacher.slip(number, play, slip.move, rules)
-        case AskWhichCounts():
-            return teacher.say(Key.WHICH_COUNTS)
-        case Finished():
-            return ""
-
-
-def moments(dialogue: Dialogue, contradiction: Contradiction, teacher: Teacher) -> tuple[str, str]:
-    """The two moments in words, the earlier first."""
-    later = dialogue.answers[contradiction.later.answer]
-    return _moment(dialogue, contradiction, teacher), teacher.said(later)
-
-
-def _moment(dialogue: Dialogue, contradiction: Contradiction, teacher: Teacher) -> str:
-    earlier: Moment = contradiction.earlier
-    match earlier:
-        case Shown(number):
-            play = play_of(dialogue.demonstrations[number])
-            against = dialogue.answers[contradiction.later.answer]
-            return teacher.shown(number + 1, play, against)
-        case SaidBefore(number):
-            return teacher.said(dialogue.answers[number])
-        case Understood():
-            return teacher.understood(dialogue.lesson.rules)
-
-
-def asked_play(question: Question) -> Play | None:
-    """The play to show with a question: the finished one, or where the move is to be made."""
-    match question:
-        case RowQuestion(play):
-            return play
-        case MoveQuestion(position):
-            return position
-        case RuleQuestion():
-            return None
-
-
-def as_demonstration(play: Play) -> Demonstration:
-    """A play as the board saw it."""
-    return Demonstration(play.setting.deck, play.setting.start, play.moves())
+from maestra.rules.setting import Play
 
 
 def drawn(play: Play) -> Drawn:
