@@ -6,7 +6,7 @@ from sqlalchemy import Connection, inspect, text
 
 from maestra.core.faults import Fault, InvalidError
 
-VERSION: Final = "0004"
+VERSION: Final = "0005"
 """The newest module in migrations/versions; a test compares."""
 
 

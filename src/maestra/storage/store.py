@@ -28,6 +28,7 @@ from maestra.storage.tables import (
     PLANS,
     SESSIONS,
     SETTINGS,
+    SHELF,
 )
 from maestra.storage.vault import KeyDestroyedError, SubjectId, Vault
 from maestra.storage.writer import Writer
@@ -112,7 +113,7 @@ class SqlStore:
     def save_exercise(self, name: str, exercise: str, demonstrations: str = "") -> int:
         """Keep a new version; returns its number. What equals the latest makes no new one."""
         refuse(faults_of_name("name", name))
-        return self._write(lambda one: self._save_exercise(one, name, exercise, demonstrations))
+        return self._write(lambda one: keep_exercise(one, name, exercise, demonstrations))
 
     def exercise(self, name: str, version: int | None = None) -> StoredExercise:
         """A version of an exercise, the latest if none is named.
@@ -124,9 +125,11 @@ class SqlStore:
             return _exercise(connection, name, version)
 
     def exercises(self) -> tuple[StoredExercise, ...]:
-        """The latest version of each, by name."""
+        """The latest version of each in the library, by name."""
+        removed = select(SHELF.c.name).where(SHELF.c.removed_utc.is_not(None))
         latest = (
             select(EXERCISES.c.name, func.max(EXERCISES.c.version).label("version"))
+            .where(EXERCISES.c.name.not_in(removed))
             .group_by(EXERCISES.c.name)
             .subquery()
         )
@@ -306,21 +309,6 @@ class SqlStore:
     def _write(self, job: Callable[[Connection], _Made]) -> _Made:
         return demand_writer(self._writer, self._database).run(job)
 
-    def _save_exercise(
-        self, connection: Connection, name: str, exercise: str, demonstrations: str
-    ) -> int:
-        try:
-            latest = _exercise(connection, name, None)
-        except KeyError:
-            version = 1
-        else:
-            if (latest.exercise, latest.demonstrations) == (exercise, demonstrations):
-                return latest.version
-            version = latest.version + 1
-        new = StoredExercise(name, version, exercise, demonstrations)
-        connection.execute(insert(EXERCISES).values(asdict(new)))
-        return version
-
     def _known(self, connection: Connection, patient: PatientId) -> SubjectId:
         tag = self._vault.tag("patient", patient)
         found = connection.scalar(select(PATIENTS.c.subject).where(PATIENTS.c.tag == tag))
@@ -373,6 +361,25 @@ class SqlStore:
 
     def _told(self, session: StoredSession) -> list[Mapping[str, object]]:
         return [told(entry) for entry in self._record.entries(session.session)]
+
+
+def keep_exercise(connection: Connection, name: str, exercise: str, demonstrations: str) -> int:
+    """Keep a new version within a transaction; what was taken from the library is back there.
+
+    What equals the latest version makes no new one. Returns the version's number.
+    """
+    connection.execute(update(SHELF).where(SHELF.c.name == name).values(removed_utc=None))
+    try:
+        latest = _exercise(connection, name, None)
+    except KeyError:
+        version = 1
+    else:
+        if (latest.exercise, latest.demonstrations) == (exercise, demonstrations):
+            return latest.version
+        version = latest.version + 1
+    new = StoredExercise(name, version, exercise, demonstrations)
+    connection.execute(insert(EXERCISES).values(asdict(new)))
+    return version
 
 
 def told(entry: Entry) -> dict[str, object]:

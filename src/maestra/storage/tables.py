@@ -52,6 +52,29 @@ EXERCISES: Final = Table(
     Column("demonstrations", Text, nullable=False),
 )
 
+SHELF: Final = Table(
+    "shelf",
+    METADATA,
+    Column("name", String(200), primary_key=True),
+    Column("title", String(200)),
+    Column("removed_utc", String(40)),
+)
+"""What differs from how an exercise was kept: another title, or taken from the library.
+
+The name stays, for sessions and patients know the exercise by it.
+"""
+
+SOURCES: Final = Table(
+    "sources",
+    METADATA,
+    Column("name", String(200), primary_key=True),
+    Column("version", Integer, primary_key=True, autoincrement=False),
+    Column("origin", String(20), nullable=False),
+    Column("account", String(32)),
+    Column("utc", String(40), nullable=False),
+)
+"""Where a version of an exercise comes from: how, from whose account, when."""
+
 PATIENTS: Final = Table(
     "patients",
     METADATA,
