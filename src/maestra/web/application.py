@@ -9,11 +9,13 @@ from fastapi import FastAPI
 from starlette.staticfiles import StaticFiles
 
 from maestra import __version__
-from maestra.web import home, language_choice
+from maestra.web import home, language_choice, problems
+from maestra.web.access import entrance
+from maestra.web.access.gate import Gate
 from maestra.web.context import Context
 from maestra.web.headers import SecurityHeaders
 
-ROUTERS: Final = (home.router, language_choice.router)
+ROUTERS: Final = (home.router, language_choice.router, entrance.router)
 
 
 def create_app(context: Context) -> FastAPI:
@@ -25,10 +27,13 @@ def create_app(context: Context) -> FastAPI:
         docs_url=None,
         redoc_url=None,
         openapi_url="/api/openapi.json",
+        responses=problems.problems(401, 403, 404, 413, 422, 429),
     )
     app.state.context = context
     for router in ROUTERS:
         app.include_router(router)
     app.mount("/static", StaticFiles(directory=str(files("maestra.web") / "static")), "static")
+    problems.install(app)
+    app.add_middleware(Gate)
     app.add_middleware(SecurityHeaders, over_tls=context.over_tls)
     return app

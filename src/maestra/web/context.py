@@ -10,6 +10,7 @@ from fastapi import Depends
 from starlette.requests import HTTPConnection
 
 from maestra.storage.store import SqlStore
+from maestra.web.access.doors import Doors
 from maestra.web.clock import Clock, SystemClock
 
 
@@ -21,6 +22,7 @@ class Context:
     folder: Path
     """For what can be made again: spoken sentences."""
     clock: Clock = field(default_factory=SystemClock)
+    doors: Doors = field(default_factory=Doors)
     over_tls: bool = False
     """Whether browsers reach it by https, so that cookies are for https alone."""
 

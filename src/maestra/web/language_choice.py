@@ -5,10 +5,11 @@ from __future__ import annotations
 from typing import Annotated, Final
 
 from fastapi import APIRouter, Form
-from fastapi.responses import RedirectResponse
+from fastapi.responses import RedirectResponse, Response
 from starlette.requests import HTTPConnection
 
 from maestra.language import Language
+from maestra.web.paths import HOME, is_ours
 
 COOKIE: Final = "maestra-language"
 A_YEAR_S: Final = 365 * 24 * 3600
@@ -31,8 +32,11 @@ def choose(
     language: Annotated[Language, Form()], back: Annotated[str, Form(max_length=300)] = "/"
 ) -> RedirectResponse:
     """Read in another language from now on, on the same page."""
-    # Only to a page of ours: "//elsewhere" would lead away.
-    ours = back.startswith("/") and not back.startswith(("//", "/\\"))
-    answer = RedirectResponse(back if ours else "/", 303)
-    answer.set_cookie(COOKIE, language.value, max_age=A_YEAR_S, httponly=True, samesite="strict")
+    answer = RedirectResponse(back if is_ours(back) else HOME, 303)
+    remember(answer, language)
     return answer
+
+
+def remember(answer: Response, language: Language) -> None:
+    """Have the browser say next time that this language was chosen."""
+    answer.set_cookie(COOKIE, language.value, max_age=A_YEAR_S, httponly=True, samesite="strict")
