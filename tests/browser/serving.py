@@ -39,6 +39,16 @@ def serving(
     context = Context(store, folder / "cache", clock or SystemClock())
     app = create_app(context)
     prepare(app)
+    try:
+        with listening(app) as url:
+            yield Served(url, app, context)
+    finally:
+        store.close()
+
+
+@contextmanager
+def listening(app: FastAPI) -> Generator[str]:
+    """Any app on a free port of this computer, and its address."""
     # Bound here, so that nobody else takes the port before the server does.
     listener = socket.create_server(("127.0.0.1", 0))
     port = int(listener.getsockname()[1])
@@ -48,12 +58,11 @@ def serving(
     thread.start()
     try:
         _wait_until(lambda: server.started or not thread.is_alive())
-        yield Served(f"http://localhost:{port}", app, context)
+        yield f"http://localhost:{port}"
     finally:
         server.should_exit = True
         thread.join(STARTED_WITHIN_S)
         listener.close()
-        store.close()
 
 
 def _wait_until(done: Callable[[], bool]) -> None:
