@@ -16,6 +16,7 @@ from maestra.web.access.guard import visitor_of
 from maestra.web.access.visitor import AccountId, Role, Visitor
 from maestra.web.application import create_app
 from maestra.web.context import Context
+from maestra.web.rooms.guests import as_guest, guest_of
 
 NOON = datetime(2026, 5, 4, 12, tzinfo=UTC)
 
@@ -53,12 +54,13 @@ def app(context: Context) -> FastAPI:
 
 
 @pytest.fixture
-def somebody(app: FastAPI) -> Callable[[Role], TestClient]:
+def somebody(app: FastAPI, context: Context) -> Callable[[Role], TestClient]:
     """A browser of somebody who is logged in and has a role."""
 
     def logged_in(role: Role) -> TestClient:
         visitor = Visitor(AccountId(role.value), role.value.title(), role, Language.EN)
         app.dependency_overrides[visitor_of] = lambda: visitor
+        app.dependency_overrides[guest_of] = lambda: as_guest(context, visitor)
         return TestClient(app, base_url="http://localhost")
 
     return logged_in

@@ -24,8 +24,6 @@ from maestra.cli.outputs import Drawn, Said, Tone
 from maestra.cli.own_language import own_language
 from maestra.cli.screen import Screen
 from maestra.cli.streams import named, read_whole, write_file
-from maestra.coaching.chance import Chance
-from maestra.coaching.difficulty import deal
 from maestra.coaching.events import (
     Begun,
     DoneSaid,
@@ -44,13 +42,12 @@ from maestra.coaching.ports import (
     Robot,
     SessionId,
     Store,
-    StoredSession,
 )
-from maestra.coaching.recording import Start
-from maestra.coaching.remembered import Remembered, read_remembered, write_remembered
+from maestra.coaching.remembered import Remembered, read_remembered
 from maestra.coaching.running import Running
 from maestra.coaching.session import due
-from maestra.coaching.settings import Modality, Profile, Settings, settings_for
+from maestra.coaching.settings import Modality, Profile, settings_for
+from maestra.coaching.sitting import Chosen, known_patient, rise, sit_down
 from maestra.core.board import Cell, Column
 from maestra.core.state import State
 from maestra.core.tokens import Deck, TokenId
@@ -58,15 +55,11 @@ from maestra.language import Language
 from maestra.language.terminal import TerminalKey, terminal_sentence
 from maestra.robots.screen import ScreenRobot
 from maestra.robots.speech import SpeechRobot
-from maestra.rules.exercise import Exercise, RuledExercise
+from maestra.rules.exercise import Exercise
 from maestra.rules.exercise_format import encode_exercise
-from maestra.rules.judging import Judge
-from maestra.rules.position import Position
 
 PIPED_MS: Final = 1_000
 """Between two piped lines."""
-DEALS_TRIED: Final = 200
-"""Arrangements looked at for one from which some move is right."""
 _WAIT: Final = re.compile(r"wait (\d{1,5})")
 
 
@@ -135,29 +128,25 @@ class _Session:
     def __init__(self, wanted: Wanted, exercise: Exercise, store: Store) -> None:
         self._wanted, self._store = wanted, store
         self._patient = PatientId(wanted.patient)
-        self._knew = known = self._known()
-        settings = known.settings
         seed = time.time_ns() % 2**64 if wanted.seed is None else wanted.seed
-        deck, state = _laid_out(exercise, settings, Chance(seed))
-        self._start = Start(
-            exercise, deck, state, settings, seed, known.best_policy, wanted.patient
-        )
-        self._board = SimulatedBoard(state)
-        goal = terminal_sentence(TerminalKey.GOAL, settings.language)
-        self._screen = Screen(goal)
-        self._record = Tee(store.events)
-        self._identity = SessionId(f"{wanted.patient}-{seed:016x}-{time.time_ns():x}")
-        self._stored = StoredSession(
-            self._identity,
+        name = Path(wanted.exercise).stem or "exercise"
+        version = store.save_exercise(name, encode_exercise(exercise))
+        identity = SessionId(f"{wanted.patient}-{seed:016x}-{time.time_ns():x}")
+        sitting = sit_down(
+            identity,
             self._patient,
-            Path(wanted.exercise).stem or "exercise",
-            self._save_exercise(exercise),
-            write_remembered(known),
-            _utc(),
+            Chosen(name, version, exercise),
+            self._known(),
+            seed=seed,
+            utc=_utc(),
         )
-        store.save_session(self._stored)
+        sitting.keep(store)
+        self._start, self._stored = sitting.start, sitting.stored
+        self._board = SimulatedBoard(self._start.state)
+        self._screen = Screen(terminal_sentence(TerminalKey.GOAL, self._start.settings.language))
+        self._record = Tee(store.events)
         self._running = Running(
-            self._identity, self._start, self._board, self._robots(), self._record, _utc()
+            identity, self._start, self._board, self._robots(), self._record, _utc()
         )
 
     def play(self) -> bool:
@@ -267,8 +256,7 @@ class _Session:
         """The settings that were named, else the patient's own, else the defaults."""
         wanted = self._wanted
         try:
-            kept = self._store.settings(self._patient).encode()
-            known = read_remembered(kept, f"settings of {wanted.patient}")
+            known = known_patient(self._store, self._patient)
         except KeyError:
             known = Remembered(settings_for(Profile(), own_language()))
         if wanted.settings is not None:
@@ -279,42 +267,13 @@ class _Session:
             known = replace(known, settings=settings)
         return known
 
-    def _save_exercise(self, exercise: Exercise) -> int:
-        name = Path(self._wanted.exercise).stem or "exercise"
-        return self._store.save_exercise(name, encode_exercise(exercise))
-
     def _finish(self) -> bool:
         """Keep what was learned of the patient, and the session's file."""
         session = self._running.session
-        after = self._knew.after(session)
-        self._store.save_settings(self._patient, write_remembered(after))
-        self._store.save_session(replace(self._stored, ended_utc=_utc()))
+        rise(self._store, self._stored, session, _utc())
         if self._wanted.record is not None:
             write_file(self._wanted.record, "".join(f"{one}\n" for one in self._record.lines))
         return session.ending is not None and session.ending.value == "complete"
-
-
-def _laid_out(exercise: Exercise, settings: Settings, chance: Chance) -> tuple[Deck, State]:
-    """Tokens of the wanted difficulty where the rules fit others, in any arrangement.
-
-    Drawn again where no move is right; of the paper's six exercises the fourth needs it most, for
-    in one arrangement of twelve its first storage row is full.
-    """
-    deck, state, chance = _dealt(exercise, settings, chance)
-    for _ in range(DEALS_TRIED):
-        if any(Judge(exercise, deck).allowed_moves(Position.begin(state))):
-            break
-        deck, state, chance = _dealt(exercise, settings, chance)
-    return deck, state
-
-
-def _dealt(exercise: Exercise, settings: Settings, chance: Chance) -> tuple[Deck, State, Chance]:
-    deck = exercise.deck
-    if isinstance(exercise, RuledExercise):
-        deck, chance = deal(deck, settings.difficulty, chance)
-    cells, chance = chance.shuffled(exercise.board.storage_cells)
-    ids = [token.id for token in deck.tokens]
-    return deck, State(exercise.board, dict(zip(ids, cells, strict=False))), chance
 
 
 def _token(deck: Deck, typed: str) -> TokenId | None:

@@ -13,10 +13,10 @@ from collections.abc import Sequence
 from typing import Final
 
 from maestra.coaching.commands import Command, Commands, encode_commands
-from maestra.coaching.events import Event, TimedEvent, TimePassed
+from maestra.coaching.events import Event, TimedEvent, TimePassed, decode_event
 from maestra.coaching.fields import Milliseconds
 from maestra.coaching.playing import step
-from maestra.coaching.ports import Board, EventStore, NewEntry, Robot, SessionId
+from maestra.coaching.ports import Board, Entry, EventStore, NewEntry, Robot, SessionId
 from maestra.coaching.recording import Start, encode_line, encode_start
 from maestra.coaching.session import Phase, Session, due
 
@@ -36,7 +36,7 @@ class Running:
         store: EventStore,
         utc: str,
     ) -> None:
-        """Keep the start; nothing else happens yet.
+        """Keep the start; or, if the store has the session already, go on from what it has.
 
         Args:
             identity: the session's, unique in the store.
@@ -47,7 +47,7 @@ class Running:
             utc: the time of day.
 
         Raises:
-            InvalidError: the tokens do not fit the exercise.
+            InvalidError: the tokens do not fit the exercise, or what is kept is no session.
             OSError: the start cannot be kept.
         """
         self.session: Session = start.session()
@@ -55,26 +55,43 @@ class Running:
         self._board = board
         self._robots = tuple(robots)
         self._store = store
+        self._keys: set[str] = set()
         self._count = 0
-        self._keep("start", Milliseconds(0), encode_start(start), utc)
+        for entry in store.entries(identity):
+            self._recall(entry)
+        if not self._count:
+            self._keep("start", Milliseconds(0), encode_start(start), utc)
 
     @property
     def has_ended(self) -> bool:
         """Whether it is over."""
         return self.session.phase is Phase.ENDED
 
-    def feed(self, event: Event, now: Milliseconds, utc: str) -> Commands:
+    def has_heard(self, key: str) -> bool:
+        """Whether an event has been fed under this key."""
+        return self._key(key) in self._keys
+
+    def feed(self, event: Event, now: Milliseconds, utc: str, key: str | None = None) -> Commands:
         """Let `event` happen, and all that follows from it; returns what was done.
+
+        Args:
+            event: what happened.
+            now: since the session began.
+            utc: the time of day.
+            key: the teller's own name for this event; told again under it, nothing happens.
 
         Raises:
             OSError: it cannot be kept; then nothing was done about it.
         """
+        if key is not None and self.has_heard(key):
+            return ()
         waiting: deque[Event] = deque([event])
         done: list[Command] = []
         for _ in range(MOST_ECHOES):
             if not waiting:
                 break
-            commands = self._step(waiting.popleft(), now, utc)
+            commands = self._step(waiting.popleft(), now, utc, key)
+            key = None
             done += commands
             for command in commands:
                 for robot in self._robots:
@@ -94,21 +111,41 @@ class Running:
             told.append(TimePassed())
         return tuple(command for event in told for command in self.feed(event, now, utc))
 
-    def _step(self, event: Event, now: Milliseconds, utc: str) -> Commands:
+    def _step(self, event: Event, now: Milliseconds, utc: str, key: str | None) -> Commands:
         session, commands = step(self.session, event, now)
         timed = TimedEvent(Milliseconds(session.now if not self.has_ended else now), event)
         written = json.dumps(encode_commands(commands), ensure_ascii=False)
-        self._keep("event", timed.at, encode_line(timed), utc, written)
+        self._keep("event", timed.at, encode_line(timed), utc, written, key)
         self.session = session
         return commands
 
     def _keep(
-        self, kind: str, at: Milliseconds, payload: str, utc: str, commands: str | None = None
+        self,
+        kind: str,
+        at: Milliseconds,
+        payload: str,
+        utc: str,
+        commands: str | None = None,
+        teller_key: str | None = None,
     ) -> None:
-        number = self._count
-        entries = [NewEntry(self._identity, f"{self._identity}:{number}", at, utc, kind, payload)]
+        key = f"{self._identity}:{self._count}" if teller_key is None else self._key(teller_key)
+        entries = [NewEntry(self._identity, key, at, utc, kind, payload)]
         if commands is not None:
-            key = f"{self._identity}:{number}:commands"
-            entries.append(NewEntry(self._identity, key, at, utc, "commands", commands))
+            of_commands = f"{self._identity}:{self._count}:commands"
+            entries.append(NewEntry(self._identity, of_commands, at, utc, "commands", commands))
         self._store.append(entries)
+        self._keys.add(key)
+        self._count += 1
+
+    def _key(self, teller_key: str) -> str:
+        return f"{self._identity}:told:{teller_key}"
+
+    def _recall(self, entry: Entry) -> None:
+        """What was kept happens again, without being done again."""
+        if entry.kind == "commands":
+            return
+        if entry.kind == "event":
+            event = decode_event(json.loads(entry.payload))
+            self.session, _ = step(self.session, event.what, event.at)
+        self._keys.add(entry.key)
         self._count += 1

@@ -93,7 +93,7 @@ def _entries(value: object) -> int:
 
 def _path(place: tuple[int | str, ...]) -> str:
     """The place with dots and brackets: ``moves[2].origin``."""
-    steps = place[:-1] if place[-1] == _OF_KEY else place
+    steps = place[:-1] if place[-1:] == (_OF_KEY,) else place
     path = "".join(f"[{step}]" if isinstance(step, int) else f".{step}" for step in steps)
     return path.removeprefix(".")
 
