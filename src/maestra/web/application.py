@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import AsyncGenerator
+from contextlib import asynccontextmanager
 from importlib.resources import files
 from typing import Final
 
@@ -10,17 +12,34 @@ from starlette.staticfiles import StaticFiles
 
 from maestra import __version__
 from maestra.web import home, language_choice, problems
-from maestra.web.access import entrance
+from maestra.web.access import routers as access
 from maestra.web.access.gate import Gate
 from maestra.web.context import Context
 from maestra.web.headers import SecurityHeaders
+from maestra.web.rooms import routes as room_routes
+from maestra.web.rooms import stream
+from maestra.web.rooms.rooms import Rooms
 
-ROUTERS: Final = (home.router, language_choice.router, entrance.router)
+ROUTERS: Final = (
+    home.router,
+    language_choice.router,
+    *access.ROUTERS,
+    room_routes.router,
+    stream.router,
+)
 
 
 def create_app(context: Context) -> FastAPI:
     """The application; it uses what `context` holds until the server stops."""
+    rooms = Rooms(context.store, context.clock)
+
+    @asynccontextmanager
+    async def living(_app: FastAPI) -> AsyncGenerator[None]:
+        async with rooms.ticking():
+            yield
+
     app = FastAPI(
+        lifespan=living,
         title="Maestra",
         version=__version__,
         # Their pages come from elsewhere; the document itself is ours.
@@ -30,6 +49,7 @@ def create_app(context: Context) -> FastAPI:
         responses=problems.problems(401, 403, 404, 413, 422, 429),
     )
     app.state.context = context
+    app.state.rooms = rooms
     for router in ROUTERS:
         app.include_router(router)
     app.mount("/static", StaticFiles(directory=str(files("maestra.web") / "static")), "static")

@@ -15,6 +15,8 @@ ACCOUNT: Final = "/account"
 NEW_PASSWORD: Final = "/account/new-password"
 SCREEN: Final = "/screen"
 """Where the PIN of a patient's screen is asked for."""
+PATIENT_PAGE: Final = "/patient"
+"""What a patient's screen shows."""
 
 
 def is_ours(path: str) -> bool:

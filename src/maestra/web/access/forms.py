@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from http import HTTPStatus
 from typing import Annotated, Final
 
 from fastapi import Form
@@ -26,6 +27,11 @@ Faults = dict[str, str]
 def led_to(path: str) -> RedirectResponse:
     """On to another page, by GET."""
     return RedirectResponse(path, 303)
+
+
+def status_with(faults: object) -> HTTPStatus:
+    """Of a page: 422 if something was wrong in the form."""
+    return HTTPStatus.UNPROCESSABLE_ENTITY if faults else HTTPStatus.OK
 
 
 def fault_of_name(pages: Pages, name: str) -> Faults:

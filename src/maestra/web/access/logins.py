@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from datetime import UTC, datetime
 from enum import Enum
 from typing import Final
 
@@ -128,3 +129,8 @@ def _full(context: Context, name: str) -> str:
     It is RFC 6265bis's; browsers refuse it without TLS.
     """
     return f"__Host-{name}" if context.over_tls else name
+
+
+def moment(at_ms: int) -> datetime:
+    """A moment as it is kept, as a page shows it."""
+    return datetime.fromtimestamp(at_ms / 1000, UTC)
