@@ -9,6 +9,7 @@ from fastapi import Depends, HTTPException
 from starlette.requests import HTTPConnection
 
 from maestra.language import Language
+from maestra.storage.access import Account
 from maestra.web.access.audit import Act, audit, where
 from maestra.web.access.gate import is_unsafe
 from maestra.web.access.logins import LoginKind, current
@@ -29,9 +30,15 @@ def visitor_of(connection: HTTPConnection) -> Visitor:
         HTTPException: 401, nobody is; 403, they must choose a password first; 429, too much.
     """
     context = context_of(connection)
-    visitor = _logged_in(context, connection)
-    if visitor is None:
+    account = _account_of(context, connection)
+    if account is None:
         raise HTTPException(401, "nobody is logged in")
+    is_due = account.temporary_until_ms is not None
+    if is_due and connection.url.path not in _WITHOUT_OWN_PASSWORD:
+        raise PasswordDueError
+    visitor = _as_visitor(account)
+    # For the page that says what went wrong.
+    connection.state.visitor = visitor
     if is_unsafe(connection.scope):
         limit, now = context.doors.limits.requests, context.clock.monotonic()
         wait = context.doors.throttle.take("account", visitor.account, limit, now)
@@ -40,25 +47,25 @@ def visitor_of(connection: HTTPConnection) -> Visitor:
     return visitor
 
 
-def _logged_in(context: Context, connection: HTTPConnection) -> Visitor | None:
+def logged_in(context: Context, connection: HTTPConnection) -> Visitor | None:
+    """Who is logged in, for pages that are there for everybody."""
+    account = _account_of(context, connection)
+    return None if account is None else _as_visitor(account)
+
+
+def _account_of(context: Context, connection: HTTPConnection) -> Account | None:
     login = current(context, connection, LoginKind.ACCOUNT)
-    if login is None:
-        return None
-    account = context.store.access.account(login.holder)
-    if account.is_disabled:
-        return None
-    is_due = account.temporary_until_ms is not None
-    if is_due and connection.url.path not in _WITHOUT_OWN_PASSWORD:
-        raise PasswordDueError
-    visitor = Visitor(
+    account = None if login is None else context.store.access.account(login.holder)
+    return None if account is None or account.is_disabled else account
+
+
+def _as_visitor(account: Account) -> Visitor:
+    return Visitor(
         AccountId(account.account),
         account.name,
         Role(account.role),
         Language(account.language),
     )
-    # For the page that says what went wrong.
-    connection.state.visitor = visitor
-    return visitor
 
 
 def needs(*rights: Right) -> Callable[[HTTPConnection, Visitor], Visitor]:
