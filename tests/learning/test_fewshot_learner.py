@@ -376,7 +376,7 @@ def paper_start(key: str, rng: Random) -> Setting:
 
 def right_rows(rules: Sequence[Rule], setting: Setting, *, back: bool = False) -> np.ndarray:
     """Every row that may be laid, from the left or the other way round."""
-    rows = np.array(list(permutations(range(len(setting.deck.tokens)), 5)), np.int16)
+    rows = np.array(list(permutations(range(len(setting.deck.tokens)), 5)), np.intp)
     plays = Plays.layouts(setting, rows, range(5)[::-1] if back else range(5))
     return rows[np.logical_and.reduce([rule.mask(plays) for rule in rules])]
 

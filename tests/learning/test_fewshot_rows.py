@@ -154,7 +154,7 @@ def test_a_given_token_stays_in_drawn_rows() -> None:
 
 def test_only_the_seed_decides_what_is_drawn() -> None:
     setting = Setting(DECK, start())
-    first = np.arange(5, dtype=np.int16)
+    first = np.arange(5, dtype=np.intp)
     draws = [sampled(setting, [RISING], [first], full=True, seed=s).row for s in (1, 1, 2)]
     assert np.array_equal(draws[0], draws[1])
     assert not np.array_equal(draws[0], draws[2])

@@ -163,7 +163,7 @@ def test_storage_rows_are_counted_without_the_goal_row() -> None:
 
 def test_layouts_are_placed_in_the_order_that_is_asked() -> None:
     setting = numbers(3, 1, 2, board=Board(3, 3))
-    rows = np.array([[0, 1, 2], [2, -1, 0]], np.int16)
+    rows = np.array([[0, 1, 2], [2, -1, 0]], np.intp)
     rising = Ordered("value", line=Line.TIME)
     left_to_right = Plays.layouts(setting, rows)
     assert left_to_right.time.tolist() == [[0, 1, 2], [2, 0, -1]]

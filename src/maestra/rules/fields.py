@@ -5,6 +5,7 @@ Frozen dataclasses stay what they are; pydantic reads the annotations here at th
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import fields
 from decimal import Decimal
 from typing import Annotated, Any, Final, NewType, TypeAlias, cast
@@ -173,8 +174,29 @@ MEANINGS: Final[dict[str, str]] = {
 class Strict:
     """A part of a rule: unknown fields of its JSON form are refused, known ones explained."""
 
-    __slots__ = ()
+    __slots__ = ("_hash",)
     __pydantic_config__ = ConfigDict(extra="forbid")
+    _hash: int
+    """No field: this class is no dataclass, and no copy takes it along."""
+
+    def __init_subclass__(cls) -> None:
+        """Work each hash out once: rules are looked up by the thousand while one is learned.
+
+        A slotted dataclass is made twice, the second time with the `__hash__` of its fields.
+        """
+        work_out = cast("Callable[[Strict], int] | None", cls.__dict__.get("__hash__"))
+        if work_out is None:
+            return
+
+        def remembered(self: Strict) -> int:
+            try:
+                return self._hash
+            except AttributeError:
+                found = work_out(self)
+                object.__setattr__(self, "_hash", found)
+                return found
+
+        type.__setattr__(cls, "__hash__", remembered)
 
     @classmethod
     def __get_pydantic_json_schema__(

@@ -13,8 +13,12 @@ from maestra.rules.pairs import Related
 from maestra.rules.setting import Line, Mask, Play, Setting
 
 Truth: TypeAlias = NDArray[np.bool_]
-Tokens: TypeAlias = NDArray[np.int16]
-"""Tokens by number; -1 where there is none, which picks the last entry of every table below."""
+Tokens: TypeAlias = NDArray[np.intp]
+"""Tokens by number; -1 where there is none, which picks the last entry of every table below.
+
+Kept column by column where there are many plays: what is asked of short lines, one a play, is
+then worked out several times faster.
+"""
 
 NOBODY = -1
 
@@ -43,7 +47,7 @@ class Plays:
     def of(cls, setting: Setting, plays: Sequence[Play]) -> Plays:
         """These plays; all from `setting`."""
         shape = (len(plays), setting.length)
-        arrays = [np.full(shape, NOBODY, np.int16) for _ in range(3)]
+        arrays = [np.full(shape, NOBODY, np.intp, order="F") for _ in range(3)]
         row, time, cells = arrays
         for k, play in enumerate(plays):
             row[k] = [NOBODY if token is None else token for token in play.row]
@@ -60,28 +64,33 @@ class Plays:
             row: plays x goal cells.
             order: all goal cells, from 0, in the order of placement.
         """
-        given = np.array([token is not None for token in setting.given])
-        cells = np.array(order if order is not None else range(setting.length), np.int16)
-        cells = cells[~given[cells]]
-        padded = np.full(row.shape, NOBODY, np.int16)
-        padded[:, : len(cells)] = cells
-        time = np.where(padded == NOBODY, NOBODY, np.take_along_axis(row, padded, axis=1))
+        row = np.asfortranarray(row, np.intp)
+        cells = [
+            k
+            for k in (range(setting.length) if order is None else order)
+            if setting.given[k] is None
+        ]
+        time = np.full(row.shape, NOBODY, np.intp, order="F")
+        time[:, : len(cells)] = row[:, cells]
+        cells_in_time = np.full(row.shape, NOBODY, np.intp, order="F")
+        cells_in_time[:, : len(cells)] = cells
         empty = time == NOBODY
-        # Empty cells are no placements: the others move up, in the same order.
-        places = np.argsort(empty, axis=1, kind="stable")
-        cells_in_time = np.where(empty, NOBODY, padded)
-        return cls(
-            setting,
-            row,
-            np.take_along_axis(time, places, axis=1).astype(np.int16),
-            np.take_along_axis(cells_in_time, places, axis=1).astype(np.int16),
-        )
+        if empty[:, : len(cells)].any():
+            # Empty cells are no placements: the others move up, in the same order.
+            cells_in_time[empty] = NOBODY
+            places = np.argsort(empty, axis=1, kind="stable")
+            time = np.asfortranarray(np.take_along_axis(time, places, axis=1))
+            cells_in_time = np.asfortranarray(np.take_along_axis(cells_in_time, places, axis=1))
+        return cls(setting, row, time, cells_in_time)
 
 
 def close_ranks(tokens: Tokens) -> Tokens:
     """The tokens of each line moved to its beginning, gaps at its end."""
-    places = np.argsort(tokens == NOBODY, axis=1, kind="stable")
-    return np.take_along_axis(tokens, places, axis=1)
+    gaps = tokens == NOBODY
+    if not gaps.any():
+        return tokens
+    places = np.argsort(gaps, axis=1, kind="stable")
+    return np.asfortranarray(np.take_along_axis(tokens, places, axis=1))
 
 
 def as_table(setting: Setting, mask: Mask, *, nobody: bool) -> Truth:

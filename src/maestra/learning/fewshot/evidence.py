@@ -233,7 +233,7 @@ def elsewhere(setting: Setting) -> Setting:
 
 def as_array(play: Play) -> Tokens:
     """The row of a play."""
-    return np.array([NOBODY if token is None else token for token in play.row], np.int16)
+    return np.array([NOBODY if token is None else token for token in play.row], np.intp)
 
 
 def _from_the_left(play: Play) -> Order:

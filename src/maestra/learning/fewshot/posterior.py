@@ -177,13 +177,14 @@ class Search:
         limit = min(found.values()) + WITHIN
         survivors = self.truths.survivors
         own = np.array([survivors[p].bits for p in involved])
-        added = np.array([survivors[p].added for p in involved])
+        kinds, kind = np.unique([survivors[p].added for p in involved], return_inverse=True)
         keys: list[Parts] = []
         words: list[list[Words]] = [[] for _ in self.needed]
         for k, parts in enumerate(frontier.parts):
             mine = [w[k] for w in frontier.words]
             # What costs too much alone need not be looked at.
-            joined = [and_bits([*(survivors[p].added for p in parts), one]) for one in added]
+            before = [survivors[p].added for p in parts]
+            joined = np.array([and_bits([*before, one]) for one in kinds])[kind]
             some = np.flatnonzero(own + sum(survivors[p].bits for p in parts) + joined < limit)
             both = [w & t[some] for w, t in zip(mine, truths, strict=True)]
             less = np.zeros(len(some), np.bool_)

@@ -86,9 +86,15 @@ def surviving(plays: Sequence[Play], *, timed: bool, slips: int) -> list[Survivo
     broken: dict[Rule, int] = {}
 
     def breaches(rule: Rule) -> int:
+        """The plays it does not hold of; once they are too many the others do not matter."""
         if rule not in broken:
-            where = plays if looks_at_start(rule) else moved
-            broken[rule] = sum(1 << k for k, play in enumerate(where) if not rule.holds(play))
+            wrong = 0
+            for k, play in enumerate(plays if looks_at_start(rule) else moved):
+                if not rule.holds(play):
+                    wrong |= 1 << k
+                    if wrong.bit_count() > slips:
+                        break
+            broken[rule] = wrong
         return broken[rule]
 
     found: list[Survivor] = []
@@ -96,7 +102,9 @@ def surviving(plays: Sequence[Play], *, timed: bool, slips: int) -> list[Survivo
         wrong = 0
         for rule in one.rules:
             wrong |= breaches(rule)
-        if wrong.bit_count() <= slips:
+            if wrong.bit_count() > slips:
+                break
+        else:
             added = USUALLY_ADDED.get(one.kind, UNUSUAL_BITS)
             found.append(Survivor(one.rules, wrong, bits, added))
     return found

@@ -119,7 +119,7 @@ def _rows_and_moves(lesson: Lesson, kinds: Collection[QuestionKind]) -> Iterator
 
 
 def _row(play: Play) -> Tokens:
-    return np.array([NOBODY if token is None else token for token in play.row], np.int16)
+    return np.array([NOBODY if token is None else token for token in play.row], np.intp)
 
 
 def _played(context: Context, number: int) -> Play:

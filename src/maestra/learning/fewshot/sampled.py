@@ -67,7 +67,7 @@ def sampled(
     """
     schemes = schemes_of(setting, rules, gaps=not full)
     drawn = [draw(setting, one, DRAWS, seed + k) for k, one in enumerate(schemes)]
-    rows = np.concatenate([np.array(shown, np.int16), *drawn])
+    rows = np.concatenate([np.array(shown, np.intp), *drawn])
     rows, inverse, counts = np.unique(rows, axis=0, return_inverse=True, return_counts=True)
     # What was shown was not drawn: counted as a draw, a rare row would stand for far too many.
     np.subtract.at(counts, inverse.ravel()[: len(shown)], 1)
@@ -168,7 +168,7 @@ def _shares(setting: Setting, scheme: Scheme, rows: Tokens, cell: int) -> NDArra
 
 def draw(setting: Setting, scheme: Scheme, number: int, seed: int) -> Tokens:
     """Rows drawn from left to right; fewer than `number` where some came to a dead end."""
-    rows = np.full((number, setting.length), NOBODY, np.int16)
+    rows = np.full((number, setting.length), NOBODY, np.intp)
     alive = np.ones(number, np.bool_)
     for cell in range(setting.length):
         shares = np.cumsum(_shares(setting, scheme, rows, cell), axis=1)

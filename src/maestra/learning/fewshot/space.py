@@ -57,7 +57,7 @@ class Rows:
     @cached_property
     def columns(self) -> NDArray[np.intp]:
         """What lies on each goal cell, row by row: goal cells x rows, for `take`."""
-        return np.ascontiguousarray(self.row.T.astype(np.intp))
+        return np.ascontiguousarray(self.row.T)
 
     @cached_property
     def sets(self) -> tuple[NDArray[np.intp], NDArray[np.intp]]:
@@ -77,7 +77,8 @@ class Rows:
         if number not in self._some:
             # A golden-ratio walk: even steps would meet the same token in the same cell.
             places = np.unique((np.arange(number) * 0.6180339887498949 % 1) * len(self.row))
-            self._some[number] = Rows(self.row[places.astype(np.intp)], None)
+            some = np.asfortranarray(self.row[places.astype(np.intp)])
+            self._some[number] = Rows(some, None)
         return self._some[number]
 
     @cached_property
@@ -122,8 +123,8 @@ def rows_of(setting: Setting, order: Order, *, full: bool) -> Rows:
 def listed(given: tuple[int | None, ...], movable: Mask, order: Order | None) -> Rows:
     """Every row that fills all free cells, or with an `order` also every shorter one."""
     free = [k for k, token in enumerate(given) if token is None]
-    tokens = np.array(list(bits(movable)), np.int16)
-    start = np.array([NOBODY if token is None else token for token in given], np.int16)
+    tokens = np.array(list(bits(movable)), np.intp)
+    start = np.array([NOBODY if token is None else token for token in given], np.intp)
     parts: list[Tokens] = []
     for count in (len(free),) if order is None else range(len(free), -1, -1):
         choices = _arrangements(len(tokens), count)
@@ -131,7 +132,7 @@ def listed(given: tuple[int | None, ...], movable: Mask, order: Order | None) ->
         rows = np.repeat(start[None], len(choices), axis=0)
         rows[:, cells] = tokens[choices]
         parts.append(rows)
-    return Rows(np.concatenate(parts), None)
+    return Rows(np.asfortranarray(np.concatenate(parts)), None)
 
 
 def _arrangements(tokens: int, places: int) -> NDArray[np.intp]:
@@ -304,7 +305,7 @@ def follows(words: Sequence[Words], others: Sequence[Words]) -> bool:
 
 def row_number(rows: Rows, play: Play) -> int:
     """Where the row of `play` stands among all."""
-    wanted = np.array([NOBODY if token is None else token for token in play.row], np.int16)
+    wanted = np.array([NOBODY if token is None else token for token in play.row], np.intp)
     return int(np.flatnonzero((rows.row == wanted).all(axis=1))[0])
 
 

@@ -56,6 +56,8 @@ def dense_ranks(
 def all_ranked(plays: Plays, line: Line, attribute: str) -> Truth:
     """Whether every token of the line has a rank."""
     ranks = plays.setting.ranks(attribute)
+    if None not in ranks:
+        return np.ones(len(plays), np.bool_)
     ranked = plays.setting.mask(lambda k: ranks[k] is not None)
     table = as_table(plays.setting, ranked, nobody=True)
     return np.asarray(table[plays.line(line)].all(axis=1))

@@ -15,7 +15,7 @@ from maestra.rules.forms.base import Form, Link, Pairwise
 from maestra.rules.forms.ranks import NO_LIMIT
 from maestra.rules.plays import NOBODY, Plays, Truth, as_table
 from maestra.rules.setting import Index, Line, Mask, Play, Setting
-from maestra.rules.token_tests import TokenTest, passing
+from maestra.rules.token_tests import Anything, TokenTest, passing
 
 
 class Filling(Enum):
@@ -108,9 +108,10 @@ class Before(Pairwise):
     def links(self, setting: Setting) -> Iterator[Link]:
         """Every pair."""
         first, second = passing(setting, self.first), passing(setting, self.second)
-        masks = setting.remember(
-            self,
-            lambda: setting.masks(lambda a, b: not (second >> a & 1 and first >> b & 1)),
+        every = passing(setting, Anything())
+        later = every & ~first
+        masks = tuple(
+            later if second >> token & 1 else every for token in range(len(setting.deck.tokens))
         )
         for i, j in combinations(range(setting.length), 2):
             yield i, j, masks
