@@ -10,7 +10,13 @@ from typing import Annotated, Final
 import typer
 
 from maestra import __version__
-from maestra.cli import experiment, record_commands, teach_commands, tell_commands
+from maestra.cli import (
+    experiment,
+    record_commands,
+    serve_command,
+    teach_commands,
+    tell_commands,
+)
 from maestra.cli.options import ExerciseFile, Json, Lang, LanguageName, Words
 
 _HELP: Final = """Teach a tabletop exercise by showing it, read its rules, judge plays of it.
@@ -30,6 +36,7 @@ app.add_typer(experiment.app, name="experiment")
 app.add_typer(record_commands.store, name="store")
 app.add_typer(record_commands.patients, name="patients")
 app.command()(record_commands.report)
+app.command()(serve_command.serve)
 
 
 class Learner(Enum):
