@@ -166,6 +166,10 @@ class Settings:
     most_level: Level = MAX_LEVEL
     rounds: _Rounds = 1
     """Plays in a sitting."""
+    one_switch: StrictBool = False
+    """One key, or a touch anywhere, is enough: rows and cells are offered one after another."""
+    show_score: StrictBool = False
+    """Whether the patient sees how many moves were right."""
     difficulty: Difficulty = field(default_factory=Difficulty)
     """Of the tokens, where the exercise's rules fit others."""
     easiest: Difficulty = field(default_factory=Difficulty.easiest)

@@ -92,6 +92,17 @@ SETTINGS: Final[Mapping[str, tuple[str, str]]] = MappingProxyType(
             "Rondes",
             "Quantes vegades es juga l'exercici en una sessió.",
         ),
+        "one_switch": (
+            "Un sol polsador",
+            (
+                "En una pantalla n'hi ha prou amb una tecla o de tocar a qualsevol lloc. "
+                "S'ofereixen les files una rere l'altra, i després les caselles d'una fila."
+            ),
+        ),
+        "show_score": (
+            "Mostra els encerts",
+            "Si el pacient veu al final quants moviments ha encertat.",
+        ),
         "difficulty": (
             "Dificultat",
             "Quantes xifres tenen els nombres i com de junts estan.",

@@ -95,6 +95,17 @@ SETTINGS: Final[Mapping[str, tuple[str, str]]] = MappingProxyType(
             "Rounds",
             "How many times the exercise is played in one sitting.",
         ),
+        "one_switch": (
+            "One switch",
+            (
+                "On a screen, one key or a touch anywhere is enough. Rows are offered "
+                "one after another, then the cells of one row."
+            ),
+        ),
+        "show_score": (
+            "Show the score",
+            "Whether the patient sees at the end how many moves were right.",
+        ),
         "difficulty": (
             "Difficulty",
             "How many digits the numbers have, and how close together they lie.",

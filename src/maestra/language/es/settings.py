@@ -98,6 +98,17 @@ SETTINGS: Final[Mapping[str, tuple[str, str]]] = MappingProxyType(
             "Rondas",
             "Cuántas veces se juega el ejercicio en una sesión.",
         ),
+        "one_switch": (
+            "Un solo pulsador",
+            (
+                "En una pantalla basta una tecla o tocar en cualquier sitio. Se ofrecen las "
+                "filas una tras otra, y después las casillas de una fila."
+            ),
+        ),
+        "show_score": (
+            "Mostrar los aciertos",
+            "Si el paciente ve al final cuántos movimientos ha acertado.",
+        ),
         "difficulty": (
             "Dificultad",
             "Cuántas cifras tienen los números y lo cerca que están unos de otros.",
