@@ -47,6 +47,10 @@ const SCAN_ROUNDS = 3;
 const BACK_OFF_MS = { least: 250, most: 5000 };
 /** An event that is not acknowledged by then was sent into a dead connection. */
 const ACKNOWLEDGED_WITHIN_MS = 4000;
+/** The server says every 10 s that it is there; after so much silence the connection is dead. */
+const SILENT_MS = 30_000;
+/** Close code of the server: what was followed is over for this page, and a fresh one says why. */
+const OVER = 4404;
 /** The browser's click after a finger was let go is the same press. */
 const SAME_PRESS_MS = 500;
 /** This near the edge of a board that is wider than the screen, a carried token moves it. */
@@ -234,6 +238,8 @@ function glide(before) {
 async function show(answer, sent, keeps = false) {
   const fresh = new DOMParser().parseFromString(await answer.text(), "text/html");
   await Board.allFree();
+  // With more on its way this is no longer how things are.
+  if (sending.waiting) return;
   const address = new URL(answer.url);
   // What is refused has the address of what was asked for, and that is no page.
   const moves = answer.ok && address.href !== location.href;
@@ -311,8 +317,7 @@ function send(form, fields) {
       const answer = await fetch(url, { method, body, headers: { Accept: "text/html" } });
       if (unsent) unsent.hidden = true;
       sending.waiting -= 1;
-      // With more on its way the answer is no longer how things are.
-      if (!sending.waiting) await show(answer, sent, "language" in form.dataset);
+      await show(answer, sent, "language" in form.dataset);
     } catch {
       sending.waiting -= 1;
       if (unsent) unsent.hidden = false;
@@ -1021,6 +1026,8 @@ class Stream {
     /** Events on their way, by their ids; the server takes the same id once. @type {Map<string, {event: PlayEvent, sent: number}>} */
     this.outbox = new Map();
     this.wait = BACK_OFF_MS.least;
+    /** When the server was heard last. */
+    this.heard = 0;
     /** @type {WebSocket | null} */
     this.socket = null;
     /** @type {number | undefined} */
@@ -1043,10 +1050,12 @@ class Stream {
     let newest = -1;
     socket.addEventListener("open", () => {
       this.wait = BACK_OFF_MS.least;
+      this.heard = performance.now();
       for (const id of this.outbox.keys()) this.sendOne(id);
     });
     socket.addEventListener("message", ({ data }) => {
       const message = JSON.parse(data);
+      this.heard = performance.now();
       if (message.type === "state" && message.sequence >= newest) {
         newest = message.sequence;
         this.state = message;
@@ -1054,12 +1063,16 @@ class Stream {
         this.shows(message);
       } else if (message.type === "ack") {
         this.outbox.delete(message.id);
-      } else if (message.type === "fault") {
+      } else if (message.type === "fault" && !message.again) {
         this.outbox.delete(message.id);
         this.fails();
       }
     });
-    socket.addEventListener("close", () => this.socket === socket && this.later());
+    socket.addEventListener("close", ({ code }) => {
+      if (this.socket !== socket) return;
+      this.later();
+      if (code === OVER) void visit(location.href);
+    });
   }
 
   /** Try again after a while; nobody is told, for nothing is lost. */
@@ -1078,14 +1091,13 @@ class Stream {
 
   /** A cut that the browser has not noticed. */
   watch() {
-    const open = this.socket?.readyState === WebSocket.OPEN;
-    const late = [...this.outbox.values()].some(
-      ({ sent }) => sent && performance.now() - sent > ACKNOWLEDGED_WITHIN_MS,
-    );
-    if (!open || !late) return;
     const dead = this.socket;
+    if (dead?.readyState !== WebSocket.OPEN) return;
+    const now = performance.now();
+    const late = [...this.outbox.values()].some(({ sent }) => now - sent > ACKNOWLEDGED_WITHIN_MS);
+    if (!late && now - this.heard < SILENT_MS) return;
     this.later();
-    dead?.close();
+    dead.close();
   }
 
   /** @param {PlayEvent} event */
