@@ -11,7 +11,7 @@ from fastapi import FastAPI
 from starlette.staticfiles import StaticFiles
 
 from maestra import __version__
-from maestra.web import home, language_choice, problems
+from maestra.web import home, language_choice, patients, problems
 from maestra.web.access import routers as access
 from maestra.web.access.gate import Gate
 from maestra.web.context import Context
@@ -24,6 +24,7 @@ ROUTERS: Final = (
     home.router,
     language_choice.router,
     *access.ROUTERS,
+    *patients.ROUTERS,
     room_routes.router,
     stream.router,
 )
