@@ -17,6 +17,7 @@ from maestra.web.teach.draft import (
     Draft,
     Examined,
     ExamUnderWay,
+    Recalled,
     Replied,
     Shown,
     Step,
@@ -47,6 +48,7 @@ class Why(Enum):
     NO_ROOM = "no-room"
     """More tokens than storage cells."""
     NO_EXAM = "no-exam"
+    TOO_MANY_DRAFTS = "too-many-drafts"
 
 
 class CannotError(Exception):
@@ -280,7 +282,7 @@ def _finished(draft: Draft) -> Draft:
 def _undone(draft: Draft) -> Draft:
     if draft.showing.touches:
         return replace(draft, showing=draft.showing.before(), held=None)
-    if not draft.steps:
+    if not draft.steps or isinstance(draft.steps[-1], Recalled):
         raise CannotError(Why.NOTHING_TO_UNDO)
     *rest, last = draft.steps
     before = _settled(replace(draft, steps=tuple(rest), held=None))

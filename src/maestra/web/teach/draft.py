@@ -66,9 +66,9 @@ class Replied:
 
 @dataclass(frozen=True, slots=True)
 class Told:
-    """From now on just these rules: they were said in words."""
+    """From now on just these rules: they were said in words. None: what was shown counts again."""
 
-    rules: tuple[Rule, ...]
+    rules: tuple[Rule, ...] | None
 
 
 @dataclass(frozen=True, slots=True)
@@ -80,7 +80,15 @@ class Examined:
     """What the caregiver judged otherwise."""
 
 
-Step: TypeAlias = Shown | TakenBack | BroughtBack | Replied | Told | Examined
+@dataclass(frozen=True, slots=True)
+class Recalled:
+    """What was answered and examined before the exercise was taken from the library."""
+
+    answers: tuple[Answer, ...]
+    exams: tuple[Exam, ...]
+
+
+Step: TypeAlias = Shown | TakenBack | BroughtBack | Replied | Told | Examined | Recalled
 
 
 @dataclass(frozen=True, slots=True)
@@ -123,6 +131,9 @@ def after(taught: Taught, step: Step) -> Taught:
                 return held
             held = replace(held, answers=(*held.answers, *objections))
             return _learned_on(held) if held.counting else held
+        case Recalled(answers, exams):
+            recalled = replace(taught, answers=(*taught.answers, *answers))
+            return _begun(replace(recalled, exams=(*taught.exams, *exams)))
         case _:
             assert_never(step)
 
@@ -190,6 +201,12 @@ class Draft:
     def board(self) -> Board:
         """The board it is taught on."""
         return self.showing.dealt.board
+
+    @property
+    def mark(self) -> str:
+        """How far teaching is: a form of a page with another mark answers what was before."""
+        judged = 0 if self.exam is None else 1 + len(self.exam.replies)
+        return f"{len(self.steps)}.{len(self.showing.touches)}.{judged}"
 
     @cached_property
     def taught(self) -> Taught:

@@ -30,6 +30,7 @@ from maestra.web.teach.draft import (
     Draft,
     Examined,
     ExamUnderWay,
+    Recalled,
     Replied,
     Reply,
     Shown,
@@ -99,7 +100,7 @@ class _Replied(_Strict):
 
 class _Told(_Strict):
     step: Literal["told"] = "told"
-    rules: tuple[RuleJson, ...]
+    rules: tuple[RuleJson, ...] | None
 
 
 class _Examined(_Strict):
@@ -108,9 +109,14 @@ class _Examined(_Strict):
     objections: tuple[int, ...]
 
 
-_StepJson: TypeAlias = Annotated[
-    _Shown | _Number | _Replied | _Told | _Examined, Field(discriminator="step")
-]
+class _Recalled(_Strict):
+    step: Literal["recalled"] = "recalled"
+    answers: tuple[int, ...]
+    exams: tuple[int, ...]
+
+
+_Written: TypeAlias = _Shown | _Number | _Replied | _Told | _Examined | _Recalled
+_StepJson: TypeAlias = Annotated[_Written, Field(discriminator="step")]
 
 
 class _TrialJson(_Strict):
@@ -233,23 +239,31 @@ class _Pool:
                     "out": sorted(out),
                 }
             case Told(rules):
-                return {"step": "told", "rules": [encode_rule(rule) for rule in rules]}
+                written = None if rules is None else [encode_rule(rule) for rule in rules]
+                return {"step": "told", "rules": written}
             case Examined(exam, objections):
                 return {
                     "step": "examined",
-                    "exam": self._exams.setdefault(exam, len(self._exams)),
+                    "exam": self._exam(exam),
                     "objections": self._numbers(objections),
+                }
+            case Recalled(answers, exams):
+                return {
+                    "step": "recalled",
+                    "answers": self._numbers(answers),
+                    "exams": [self._exam(one) for one in exams],
                 }
             case _:
                 assert_never(step)
+
+    def _exam(self, exam: Exam) -> int:
+        return self._exams.setdefault(exam, len(self._exams))
 
     def _numbers(self, answers: Sequence[Answer]) -> list[int]:
         return [self._answers.setdefault(one, len(self._answers)) for one in answers]
 
 
-def _step(
-    written: _Shown | _Number | _Replied | _Told | _Examined, board: Board, pool: Evidence
-) -> Step:
+def _step(written: _Written, board: Board, pool: Evidence) -> Step:
     match written:
         case _Shown():
             return Shown(written.showing.showing(board))
@@ -261,10 +275,14 @@ def _step(
             answers = tuple(pool.answers[k] for k in written.answers)
             return Replied(written.reply.reply(), answers, frozenset(written.out))
         case _Told():
-            return Told(tuple(decode_rule(rule) for rule in written.rules))
+            rules = written.rules
+            return Told(None if rules is None else tuple(map(decode_rule, rules)))
         case _Examined():
             objections = tuple(pool.answers[k] for k in written.objections)
             return Examined(pool.exams[written.exam], objections)
+        case _Recalled():
+            answers = tuple(pool.answers[k] for k in written.answers)
+            return Recalled(answers, tuple(pool.exams[k] for k in written.exams))
         case _:
             assert_never(written)
 
