@@ -11,11 +11,14 @@ from fastapi import FastAPI
 from starlette.staticfiles import StaticFiles
 
 from maestra import __version__
-from maestra.web import home, language_choice, patients, problems
+from maestra.web import help as help_pages
+from maestra.web import home, language_choice, patients, problems, teach
 from maestra.web.access import routers as access
 from maestra.web.access.gate import Gate
 from maestra.web.context import Context
 from maestra.web.headers import SecurityHeaders
+from maestra.web.library import api as library_api
+from maestra.web.library import routes as library_pages
 from maestra.web.rooms import routes as room_routes
 from maestra.web.rooms import stream
 from maestra.web.rooms.rooms import Rooms
@@ -24,7 +27,11 @@ ROUTERS: Final = (
     home.router,
     language_choice.router,
     *access.ROUTERS,
+    help_pages.router,
+    library_pages.router,
+    library_api.router,
     *patients.ROUTERS,
+    *teach.ROUTERS,
     room_routes.router,
     stream.router,
 )
