@@ -27,8 +27,6 @@ ROUTERS: Final = (
     home.router,
     language_choice.router,
     *access.ROUTERS,
-    *patients.ROUTERS,
-    *teach.ROUTERS,
     help_pages.router,
     library_pages.router,
     library_api.router,
