@@ -4,17 +4,16 @@ from __future__ import annotations
 
 from collections.abc import AsyncGenerator
 from contextlib import asynccontextmanager
-from importlib.resources import files
 from typing import Final
 
 from fastapi import FastAPI
-from starlette.staticfiles import StaticFiles
 
 from maestra import __version__
 from maestra.web import help as help_pages
 from maestra.web import home, language_choice, patients, problems, teach
 from maestra.web.access import routers as access
 from maestra.web.access.gate import Gate
+from maestra.web.assets import assets
 from maestra.web.context import Context
 from maestra.web.headers import SecurityHeaders
 from maestra.web.library import api as library_api
@@ -60,7 +59,7 @@ def create_app(context: Context) -> FastAPI:
     app.state.rooms = rooms
     for router in ROUTERS:
         app.include_router(router)
-    app.mount("/static", StaticFiles(directory=str(files("maestra.web") / "static")), "static")
+    app.mount("/static", assets(), "static")
     problems.install(app)
     app.add_middleware(Gate)
     app.add_middleware(SecurityHeaders, over_tls=context.over_tls)

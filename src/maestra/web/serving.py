@@ -25,6 +25,7 @@ from maestra.storage.store import SqlStore
 from maestra.web.access.doors import LOOPBACK_HOSTS, Doors
 from maestra.web.application import create_app
 from maestra.web.context import Context
+from maestra.web.library.included import first_start
 
 USUAL_PORT: Final = 8000
 ANY_PORT: Final = 0
@@ -85,6 +86,7 @@ def serve(wanted: Wanted, tell: Tell) -> None:
         store = open_store(place(wanted.data, wanted.keys))
         try:
             context = _context(store, wanted)
+            first_start(store, context.clock.utc().isoformat(timespec="seconds"))
             address = address_to_open(wanted, int(listener.getsockname()[1]))
             _announce(context, wanted, address, tell)
             if wanted.opens_browser and has_display():
