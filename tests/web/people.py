@@ -7,11 +7,11 @@ from fastapi import FastAPI
 from fastapi.testclient import TestClient
 from httpx2 import Response
 
+from maestra.language import Language
 from maestra.storage.access import Account
 from maestra.web.access.doors import Doors
 from maestra.web.access.passwords import Passwords
 from maestra.web.access.visitor import AccountId, Role, Visitor
-from maestra.language import Language
 from maestra.web.context import Context
 
 PASSWORD: Final = "a quiet harbour"

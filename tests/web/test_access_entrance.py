@@ -1,11 +1,13 @@
 """Set-up, logging in, logging out, and what is left of it."""
 
+from dataclasses import replace
 from datetime import timedelta
 
 import pyotp
 import pytest
 from fastapi import FastAPI
 from fastapi.testclient import TestClient
+from httpx2 import Response
 
 from maestra.coaching.fields import Milliseconds
 from maestra.web.access import logins
@@ -34,8 +36,8 @@ def browser(app: FastAPI) -> TestClient:
     return new_browser(app)
 
 
-def cookies_set(answer: object) -> str:
-    return "\n".join(answer.headers.get_list("set-cookie"))  # type: ignore[attr-defined]
+def cookies_set(answer: Response) -> str:
+    return "\n".join(answer.headers.get_list("set-cookie"))
 
 
 # ---------------------------------------------------------------- the first start
@@ -114,9 +116,7 @@ def test_the_code_cannot_be_guessed(browser: TestClient, context: Context) -> No
 # ---------------------------------------------------------------- logging in
 
 
-def test_whoever_logs_in_comes_back_to_the_page(
-    app: FastAPI, browser: TestClient, context: Context
-) -> None:
+def test_whoever_logs_in_comes_back_to_the_page(browser: TestClient, context: Context) -> None:
     add_account(context, "Ada")
     led = browser.get("/account?saved=logins").headers["location"]
     assert led == "/login?next=%2Faccount%3Fsaved%3Dlogins"
@@ -259,7 +259,7 @@ def test_logging_out_ends_the_token_wherever_it_is(app: FastAPI, context: Contex
     ],
 )
 def test_a_login_ends_when_unused_and_at_the_latest_after_a_day_of_work(
-    app: FastAPI, context: Context, clock: StillClock, steps: list[int], is_in: bool
+    app: FastAPI, context: Context, clock: StillClock, steps: list[int], *, is_in: bool
 ) -> None:
     ada = logged_in(app, context, "Ada")
     answers: list[int] = []
@@ -300,8 +300,6 @@ def with_factor(context: Context, name: str) -> tuple[str, str]:
     """Somebody whose telephone is asked for: account and secret."""
     visitor = add_account(context, name)
     secret = pyotp.random_base32()
-    from dataclasses import replace
-
     context.store.access.change_account(visitor.account, lambda now: replace(now, secret=secret))
     return visitor.account, secret
 
@@ -364,8 +362,6 @@ def test_half_a_login_can_be_given_up(browser: TestClient, context: Context) -> 
 def test_the_first_language_after_logging_in_is_the_accounts(
     app: FastAPI, context: Context
 ) -> None:
-    from dataclasses import replace
-
     visitor = add_account(context, "Ada", Role.RESEARCHER)
     context.store.access.change_account(visitor.account, lambda one: replace(one, language="ca"))
     browser = new_browser(app)

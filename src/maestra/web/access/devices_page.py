@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from typing import Annotated, Final, Literal
 
 from fastapi import APIRouter, Form, HTTPException
@@ -19,6 +20,7 @@ from maestra.web.access.ownership import patients_of, sees_patient
 from maestra.web.access.visitor import Right, Visitor
 from maestra.web.context import Context, Here
 from maestra.web.pages import Page, Pages
+from maestra.web.rooms.stage import ROOM_PATTERN
 
 router: Final = APIRouter(prefix="/devices", include_in_schema=False)
 
@@ -80,7 +82,9 @@ def make_a_program(
     room: Typed = "",
 ) -> Response:
     """Make a token for a board or a robot; it is shown once, on this page."""
-    faults = _fault_of_label(pages, label, "label") | _fault_of_label(pages, room, "room")
+    faults, room = _fault_of_label(pages, label, "label"), room.strip().lower()
+    if re.fullmatch(ROOM_PATTERN, room) is None:
+        faults["room"] = pages.say("Please write a short name: letters from a to z, and digits.")
     if faults:
         return _page(visitor, context, pages, faults)
     token = make_program(context, visitor, DeviceKind(kind), label, room)
