@@ -1,6 +1,6 @@
 """A server and a browser for each test, and nothing that goes wrong unseen."""
 
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from pathlib import Path
 from typing import Protocol
 
@@ -8,7 +8,7 @@ import pytest
 from playwright.sync_api import Browser, BrowserContext, Page, Playwright, sync_playwright
 
 from maestra.web.access.visitor import Role
-from tests.browser.roles import log_in, prepare
+from tests.browser.roles import log_in
 from tests.browser.serving import Served, serving
 from tests.browser.sizes import Size
 from tests.browser.watching import Watch
@@ -44,7 +44,7 @@ def browser(playwright: Playwright) -> Iterator[Browser]:
 @pytest.fixture
 def served(tmp_path: Path) -> Iterator[Served]:
     """The app on a server of this test alone."""
-    with serving(tmp_path, prepare) as one:
+    with serving(tmp_path) as one:
         yield one
 
 
@@ -96,9 +96,6 @@ def size(request: pytest.FixtureRequest) -> Size:
 def page(open_browser: OpenBrowser) -> Page:
     """A page on a desktop; nobody is logged in."""
     return open_browser().new_page()
-
-
-LogIn = Callable[[Role], Page]
 
 
 @pytest.fixture

@@ -1,30 +1,22 @@
-"""How tests come to be logged in."""
+"""How tests come to be logged in: by an account, and the page where one logs in."""
 
-from fastapi import FastAPI, HTTPException, Request
 from playwright.sync_api import Page
 
-from maestra.language import Language
-from maestra.web.access.guard import visitor_of
-from maestra.web.access.visitor import AccountId, Role, Visitor
+from maestra.web.access.visitor import Role
 from tests.browser.serving import Served
+from tests.web.people import PASSWORD, add_account
 
-COOKIE = "test-role"
-
-
-def prepare(app: FastAPI) -> None:
-    """Take whoever has the cookie for somebody of that role."""
-
-    def visitor(request: Request) -> Visitor:
-        role = request.cookies.get(COOKIE)
-        if role is None:
-            raise HTTPException(401)
-        return Visitor(AccountId(role), role.title(), Role(role), Language.EN)
-
-    app.dependency_overrides[visitor_of] = visitor
+NAMES = {Role.CAREGIVER: "Ana", Role.RESEARCHER: "Rosa", Role.ADMINISTRATOR: "Alba"}
 
 
 def log_in(served: Served, page: Page, role: Role) -> Page:
-    """The page, on the first page of somebody with this role."""
-    page.context.add_cookies([{"name": COOKIE, "value": role.value, "url": served.url}])
-    page.goto("/")
+    """The page, on the first page of somebody with this role; their account is made if need be."""
+    name = NAMES[role]
+    if name not in {one.name for one in served.context.store.access.accounts()}:
+        add_account(served.context, name, role)
+    page.goto("/login")
+    page.locator("#name").fill(name)
+    page.locator("#password").fill(PASSWORD)
+    page.locator("main form button").click()
+    page.wait_for_url(f"{served.url}/")
     return page

@@ -15,6 +15,8 @@ from maestra.storage.opening import open_store, place
 from maestra.web.application import create_app
 from maestra.web.clock import Clock, SystemClock
 from maestra.web.context import Context
+from maestra.web.library.included import first_start
+from tests.web.people import quick_doors
 
 STARTED_WITHIN_S = 30.0
 
@@ -29,16 +31,15 @@ class Served:
 
 
 @contextmanager
-def serving(
-    folder: Path,
-    prepare: Callable[[FastAPI], None] = lambda _: None,
-    clock: Clock | None = None,
-) -> Generator[Served]:
-    """The app on a free port of this computer, with a record of its own in `folder`."""
+def serving(folder: Path, clock: Clock | None = None) -> Generator[Served]:
+    """The app on a free port of this computer, with a record of its own in `folder`.
+
+    What comes with Maestra is in its library; nobody has an account.
+    """
     store = open_store(place(str(folder / "data"), str(folder / "keys")))
-    context = Context(store, folder / "cache", clock or SystemClock())
+    context = Context(store, folder / "cache", clock or SystemClock(), quick_doors())
+    first_start(store, context.clock.utc().isoformat(timespec="seconds"))
     app = create_app(context)
-    prepare(app)
     try:
         with listening(app) as url:
             yield Served(url, app, context)
