@@ -3,14 +3,15 @@
 from dataclasses import replace
 from datetime import timedelta
 
-import pyotp
 import pytest
 from fastapi import FastAPI
 from fastapi.testclient import TestClient
 from httpx2 import Response
+from pyotp.totp import TOTP
 
 from maestra.coaching.fields import Milliseconds
 from maestra.web.access import logins
+from maestra.web.access.second_factor import new_secret
 from maestra.web.access.visitor import Role
 from maestra.web.application import create_app
 from maestra.web.context import Context
@@ -161,7 +162,7 @@ def test_a_wrong_password_and_an_unknown_name_read_and_cost_the_same(
 def test_nobodys_password_is_compared_at_the_same_cost() -> None:
     passwords = quick_doors().passwords
     assert not passwords.matches(None, WRONG)
-    ours, nobodys = passwords.hashed(WRONG), passwords._nobodys
+    ours, nobodys = passwords.hashed(WRONG), passwords.nobodys
     assert ours.split("$")[:4] == nobodys.split("$")[:4]
 
 
@@ -299,7 +300,7 @@ def test_programs_are_told_and_not_led(browser: TestClient) -> None:
 def with_factor(context: Context, name: str) -> tuple[str, str]:
     """Somebody whose telephone is asked for: account and secret."""
     visitor = add_account(context, name)
-    secret = pyotp.random_base32()
+    secret = new_secret()
     context.store.access.change_account(visitor.account, lambda now: replace(now, secret=secret))
     return visitor.account, secret
 
@@ -312,7 +313,7 @@ def test_the_password_alone_opens_nothing_where_there_is_a_second_factor(
     assert browser.get("/").headers["location"] == "/login"
     assert browser.get("/login/code").status_code == 200
     assert browser.post("/login/code", data={"code": "000000"}).status_code == 422
-    right = pyotp.TOTP(secret).at(clock.utc())
+    right = TOTP(secret).at(clock.utc())
     assert browser.post("/login/code", data={"code": right}).headers["location"] == "/"
     assert browser.get("/").status_code == 200
 
@@ -322,7 +323,7 @@ def test_a_code_counts_once_and_for_a_minute_and_a_half(
 ) -> None:
     _, secret = with_factor(context, "Ada")
     codes = {
-        seconds: pyotp.TOTP(secret).at(clock.utc() + timedelta(seconds=seconds))
+        seconds: TOTP(secret).at(clock.utc() + timedelta(seconds=seconds))
         for seconds in (-60, -30, 0, 30, 60)
     }
     accepted: list[int] = []
@@ -340,7 +341,7 @@ def test_half_a_login_ends_after_five_minutes(
     _, secret = with_factor(context, "Ada")
     log_in(browser, "Ada")
     clock.now = Milliseconds(5 * 60_000 + 1)
-    code = pyotp.TOTP(secret).at(clock.utc())
+    code = TOTP(secret).at(clock.utc())
     assert browser.post("/login/code", data={"code": code}).headers["location"] == "/login"
     assert browser.get("/login/code").headers["location"] == "/login"
 

@@ -54,9 +54,9 @@ def test_only_so_many_names_are_remembered_and_the_emptied_go_first() -> None:
         throttle.take("try", "full", LIMIT, at(2000))
     throttle.take("try", "new", LIMIT, at(2000))
     assert throttle.take("try", "full", LIMIT, at(2000)) == 1000
-    assert len(throttle._buckets) == 2
+    assert len(throttle) == 2
     throttle.take("try", "newest", LIMIT, at(2000))
-    assert len(throttle._buckets) == 2
+    assert len(throttle) == 2
 
 
 @given(st.lists(st.integers(0, 5000), max_size=60), st.integers(1, 5), st.integers(1, 2000))

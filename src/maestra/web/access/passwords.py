@@ -46,7 +46,7 @@ class Passwords:
 
     def matches(self, kept: str | None, password: str) -> bool:
         """Whether this is the password; takes as long where there is none to compare with."""
-        known = self._nobodys if kept is None else kept
+        known = self.nobodys if kept is None else kept
         with self._room:
             try:
                 self._hasher.verify(known, _plain(password))
@@ -59,7 +59,8 @@ class Passwords:
         return self._hasher.check_needs_rehash(kept)
 
     @cached_property
-    def _nobodys(self) -> str:
+    def nobodys(self) -> str:
+        """What is compared with where there is no such account, at the same cost."""
         return self.hashed(new_token())
 
 

@@ -7,6 +7,9 @@ from typing import Final
 
 import pyotp
 import segno
+from pyotp.totp import TOTP
+
+from maestra.web.access.passwords import are_same
 
 STEP_S: Final = 30
 TOLERANCE_STEPS: Final = 1
@@ -26,7 +29,7 @@ def step_of(secret: str, code: str, utc: datetime, last_step: int) -> int | None
     now = int(utc.timestamp()) // STEP_S
     typed = "".join(one for one in code if one.isdigit())
     for step in range(now - TOLERANCE_STEPS, now + TOLERANCE_STEPS + 1):
-        is_right = pyotp.utils.strings_equal(pyotp.TOTP(secret).generate_otp(step), typed)
+        is_right = are_same(TOTP(secret).generate_otp(step), typed)
         if is_right and step > last_step:
             return step
     return None
@@ -34,7 +37,7 @@ def step_of(secret: str, code: str, utc: datetime, last_step: int) -> int | None
 
 def drawing(secret: str, name: str) -> str:
     """The secret as a QR code in SVG, for the telephone's camera."""
-    address = pyotp.TOTP(secret).provisioning_uri(name=name, issuer_name=ISSUER)
+    address = TOTP(secret).provisioning_uri(name=name, issuer_name=ISSUER)
     return segno.make(address, error="m").svg_inline(
         scale=MODULE_PX, border=4, dark="#000", light="#fff"
     )

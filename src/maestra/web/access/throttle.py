@@ -52,6 +52,10 @@ class Throttle:
         self._buckets: dict[tuple[str, str], tuple[Bucket, Limit]] = {}
         self._lock = threading.Lock()
 
+    def __len__(self) -> int:
+        """How many names and addresses are remembered."""
+        return len(self._buckets)
+
     def take(self, kind: str, key: str, limit: Limit, now: Milliseconds) -> Milliseconds:
         """Count one more; 0 if it may be, else how long to wait, and nothing is counted."""
         with self._lock:
