@@ -92,9 +92,9 @@ class Collection:
         self._language = language
 
     def items(self, search: str = "") -> tuple[Item, ...]:
-        """What is in the library and matches, by title; the paper's and ours after one's own."""
+        """What is in the library and matches: people's own by title, then what came along."""
         found = (one for one in self._items(self._store.exercises()) if one.matches(search))
-        return tuple(sorted(found, key=lambda one: (one.name in INCLUDED_NAMES, one.title)))
+        return tuple(sorted(found, key=lambda one: (_place(one.name), one.title)))
 
     def removed(self) -> tuple[Item, ...]:
         """What was taken from the library, the last first."""
@@ -162,6 +162,11 @@ class _Names:
             return self._store.access.account(account).name
         except KeyError:
             return None
+
+
+def _place(name: str) -> int:
+    """Where what came along stands: after people's own, as it was meant to be found."""
+    return INCLUDED_NAMES.index(name) + 1 if name in INCLUDED_NAMES else 0
 
 
 def exercise_id(name: str) -> ExerciseId:

@@ -105,7 +105,7 @@ INCLUDED: Final = (
 )
 """Each once, in the order in which they are meant to be found."""
 
-INCLUDED_NAMES: Final = frozenset(one.name for one in INCLUDED)
+INCLUDED_NAMES: Final = tuple(one.name for one in INCLUDED)
 
 
 def first_start(store: SqlStore, utc: str) -> None:
