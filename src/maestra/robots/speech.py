@@ -20,20 +20,25 @@ LONGEST_S: Final = 30.0
 """No sentence takes longer; a program that does hangs."""
 
 
+def voice_of(settings: Settings) -> tuple[str, ...]:
+    """The program's options for the settings' language, speed and volume."""
+    return (
+        "-v",
+        settings.language.value,
+        "-s",
+        str(settings.speech_wpm),
+        "-a",
+        str(2 * settings.volume),
+    )
+
+
 class SpeechRobot:
     """Speaks what is said; has no hand, so it leaves moves to other robots."""
 
     def __init__(self, settings: Settings, program: str = PROGRAM) -> None:
         """Speak in the settings' language, speed and volume."""
         self._program = shutil.which(program)
-        self._options = (
-            "-v",
-            settings.language.value,
-            "-s",
-            str(settings.speech_wpm),
-            "-a",
-            str(2 * settings.volume),
-        )
+        self._options = voice_of(settings)
         self._speaking: subprocess.Popen[bytes] | None = None
 
     @property

@@ -9,6 +9,7 @@ from typing import Final
 from fastapi import FastAPI
 
 from maestra import __version__
+from maestra.robots.phrases import Phrases
 from maestra.web import help as help_pages
 from maestra.web import home, language_choice, patients, problems, teach
 from maestra.web.access import routers as access
@@ -18,8 +19,8 @@ from maestra.web.context import Context
 from maestra.web.headers import SecurityHeaders
 from maestra.web.library import api as library_api
 from maestra.web.library import routes as library_pages
+from maestra.web.rooms import patient_page, stream
 from maestra.web.rooms import routes as room_routes
-from maestra.web.rooms import stream
 from maestra.web.rooms.rooms import Rooms
 
 ROUTERS: Final = (
@@ -30,15 +31,18 @@ ROUTERS: Final = (
     library_pages.router,
     library_api.router,
     *patients.ROUTERS,
+    *progress.ROUTERS,
     *teach.ROUTERS,
     room_routes.router,
+    patient_page.router,
     stream.router,
 )
 
 
 def create_app(context: Context) -> FastAPI:
     """The application; it uses what `context` holds until the server stops."""
-    rooms = Rooms(context.store, context.clock)
+    phrases = Phrases(context.folder / "speech")
+    rooms = Rooms(context.store, context.clock, can_speak=phrases.can_speak)
 
     @asynccontextmanager
     async def living(_app: FastAPI) -> AsyncGenerator[None]:
@@ -57,6 +61,7 @@ def create_app(context: Context) -> FastAPI:
     )
     app.state.context = context
     app.state.rooms = rooms
+    app.state.phrases = phrases
     for router in ROUTERS:
         app.include_router(router)
     app.mount("/static", assets(), "static")

@@ -30,7 +30,9 @@ def guest(app: FastAPI) -> Callable[[Part], TestClient]:
 
     def come(part: Part) -> TestClient:
         in_room = part in {Part.BOARD, Part.ROBOT}
-        one = Guest(part, lambda patient: patient == HERON, RoomName("1") if in_room else None)
+        room = RoomName("1") if in_room else None
+        whose = HERON if part is Part.SCREEN else None
+        one = Guest(part, lambda patient: patient == HERON, room, whose)
         app.dependency_overrides[guest_of] = lambda: one
         return TestClient(app, base_url="http://localhost")
 

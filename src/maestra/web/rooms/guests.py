@@ -28,7 +28,7 @@ from maestra.coaching.events import (
     TokenPutBack,
 )
 from maestra.coaching.ports import PatientId
-from maestra.web.access.guard import visitor_of
+from maestra.web.access.devices import Device, DeviceKind, participant_of
 from maestra.web.access.ownership import sees_patient
 from maestra.web.access.visitor import Right, Visitor
 from maestra.web.context import Context, context_of
@@ -64,6 +64,13 @@ MAY_TELL: Final[Mapping[Part, tuple[type[Event], ...]]] = MappingProxyType(
     }
 )
 """Which events each part tells. Caregivers tell all but that time has passed, as nobody does."""
+_PARTS: Final = MappingProxyType(
+    {
+        DeviceKind.BOARD: Part.BOARD,
+        DeviceKind.ROBOT: Part.ROBOT,
+        DeviceKind.SCREEN: Part.SCREEN,
+    }
+)
 
 
 def _always() -> bool:
@@ -79,6 +86,8 @@ class Guest:
     """Whose sessions they may follow; caregivers and screens only."""
     room: RoomName | None = None
     """Of a board or a robot: the one room it stands in."""
+    patient: PatientId | None = None
+    """Of a screen: the one patient it is for."""
     is_still_welcome: Callable[[], bool] = _always
     """Whether they are still logged in, or their token still counts."""
 
@@ -96,18 +105,26 @@ class Guest:
 
     def follows(self, room: Room) -> PatientId | None:
         """Whose sessions they follow there; None: whoever plays."""
-        return None if self.room is not None else room.patient or PatientId("")
+        return None if self.room is not None else self.patient or room.patient or PatientId("")
 
 
 def guest_of(connection: HTTPConnection) -> Guest:
-    """Who asks.
+    """Who asks: a caregiver, a patient's screen, or a program with its token.
 
     Raises:
         HTTPException: 401, nobody whom a room is for; 403, their role has no business there.
     """
-    return as_guest(
-        context_of(connection), visitor_of(connection), lambda: _is_welcome(connection)
-    )
+    context, participant = context_of(connection), participant_of(connection)
+
+    def is_still_welcome() -> bool:
+        try:
+            return participant_of(connection) == participant
+        except HTTPException:
+            return False
+
+    if isinstance(participant, Visitor):
+        return as_guest(context, participant, is_still_welcome)
+    return _device_as_guest(participant, is_still_welcome)
 
 
 def as_guest(
@@ -127,12 +144,12 @@ def as_guest(
     )
 
 
-def _is_welcome(connection: HTTPConnection) -> bool:
-    try:
-        guest_of(connection)
-    except HTTPException:
-        return False
-    return True
+def _device_as_guest(device: Device, is_still_welcome: Callable[[], bool]) -> Guest:
+    part = _PARTS[device.kind]
+    room = None if device.room is None else RoomName(device.room)
+    return Guest(
+        part, lambda patient: patient == device.patient, room, device.patient, is_still_welcome
+    )
 
 
 GuestHere = Annotated[Guest, Depends(guest_of)]

@@ -20,15 +20,23 @@ class LeftError(Exception):
 class Listener:
     """One end of a stream; made in the event loop that will wait for its messages."""
 
-    def __init__(self, *, for_caregiver: bool, follows: PatientId | None = None) -> None:
+    def __init__(
+        self,
+        *,
+        for_caregiver: bool = False,
+        is_board: bool = False,
+        follows: PatientId | None = None,
+    ) -> None:
         """Begin with nothing to tell.
 
         Args:
             for_caregiver: whether what the caregiver is asked is for them.
+            is_board: whether this is the board on which tokens are moved.
             follows: the one whose sessions they follow; None: whoever plays.
         """
-        self.for_caregiver = for_caregiver
-        self.follows = follows
+        self.for_caregiver: Final = for_caregiver
+        self.is_board: Final = is_board
+        self.follows: Final = follows
         self._loop = asyncio.get_running_loop()
         self._waiting: deque[str] = deque()
         self._woken = asyncio.Event()

@@ -77,7 +77,7 @@ class Sentence(BaseModel):
 
     number: int
     text: str
-    speech: Annotated[str, Field(description="Where it can be heard.")]
+    speech: Annotated[str | None, Field(description="Where it can be heard, if it can.")]
 
 
 class Shown(BaseModel):
@@ -125,3 +125,6 @@ class StateJson(BaseModel):
     ]
     language: str
     moves: Annotated[int, Field(description="The patient's own right ones.")]
+    has_board: Annotated[
+        bool, Field(description="Whether a board has joined; then screens only show it.")
+    ]

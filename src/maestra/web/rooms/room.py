@@ -7,7 +7,7 @@ import logging
 import threading
 from collections import deque
 from collections.abc import Iterable
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from datetime import UTC
 from typing import Final
 
@@ -19,12 +19,20 @@ from maestra.coaching.commands import (
     decode_command,
     encode_commands,
 )
-from maestra.coaching.events import Event, Paused, TimedEvent, TimePassed, encode_event
+from maestra.coaching.events import (
+    BoardLost,
+    Event,
+    Paused,
+    TimedEvent,
+    TimePassed,
+    encode_event,
+)
 from maestra.coaching.fields import Milliseconds
 from maestra.coaching.ports import Entry, PatientId, Store, StoredSession
 from maestra.coaching.recording import Start
 from maestra.coaching.running import Running
 from maestra.coaching.session import Phase, Session, due
+from maestra.coaching.settings import Settings
 from maestra.coaching.sitting import rise
 from maestra.web.clock import Clock
 from maestra.web.rooms.listeners import Listener
@@ -32,6 +40,9 @@ from maestra.web.rooms.stage import RoomName, RoomState, Said, Scenery, Stage
 
 MOST_EVENTS: Final = 50_000
 """Of one session: a move a second for half a day. More is a program that runs wild."""
+BOARD_RETURNS_MS: Final = 10_000
+"""How long a board's stream may be broken off before the patient hears of it: most cuts are over
+by then, and nobody needs to know of those."""
 REPLAYABLE: Final = 20
 """Sentences whose sound can still be asked for: a page that comes back asks for the last one."""
 
@@ -64,15 +75,20 @@ class _Play:
 class Room:
     """A place where patients play, one after the other. All methods are for any thread."""
 
-    def __init__(self, name: RoomName, store: Store, clock: Clock) -> None:
-        """Empty as yet."""
+    def __init__(
+        self, name: RoomName, store: Store, clock: Clock, *, can_speak: bool = False
+    ) -> None:
+        """Empty as yet; `can_speak`: whether sentences can be heard."""
         self.name: Final = name
         self._store = store
         self._clock = clock
+        self._can_speak = can_speak
         self._lock = threading.RLock()
         self._listeners: set[Listener] = set()
         self._play: _Play | None = None
         self._state = RoomState(name)
+        self._board_left: Milliseconds | None = None
+        """When the board's stream broke off, until it is back or is given up."""
 
     @property
     def state(self) -> RoomState:
@@ -117,11 +133,10 @@ class Room:
             OSError: the start cannot be kept.
         """
         with self._lock:
-            self._seat(stored, start, Stage())
             for listener in self._listeners:
                 if listener.follows not in {None, stored.patient}:
                     listener.end()
-            self._tell_all()
+            self._seat(stored, start, Stage())
 
     def go_on(self, stored: StoredSession, start: Start, entries: Iterable[Entry]) -> None:
         """Let a session go on that the server was stopped in; it is paused until somebody resumes.
@@ -184,41 +199,56 @@ class Room:
             play = self._play
             if play is None or play.is_kept:
                 return
-            at = due(play.running.session)
-            if at is not None and self._now(play) >= at:
+            at, left = due(play.running.session), self._board_left
+            if left is not None and self._clock.monotonic() - left >= BOARD_RETURNS_MS:
+                self._board_left = None
+                self.tell(BoardLost())
+            elif at is not None and self._now(play) >= at:
                 self.tell(TimePassed())
             self._finish()
 
     def forget(self) -> None:
         """Empty the room: what was played here is nobody's business any more."""
         with self._lock:
-            self._play, self._state = None, RoomState(self.name)
-            self._tell_all()
+            self._play = None
+            self._show()
 
     def join(self, listener: Listener) -> None:
         """Follow the room from now on; the state as it is now comes first."""
         with self._lock:
             self._listeners.add(listener)
-            listener.offer(self.message(for_caregiver=listener.for_caregiver))
+            self._board_left = None if listener.is_board else self._board_left
+            if self._has_board is not self._state.has_board:
+                self._show()
+            else:
+                listener.offer(self._message(for_caregiver=listener.for_caregiver))
 
     def leave(self, listener: Listener) -> None:
         """Follow no longer."""
         with self._lock:
             self._listeners.discard(listener)
+            if self._has_board is not self._state.has_board:
+                self._board_left = self._clock.monotonic()
+                self._show()
 
-    def sentence(self, number: int) -> Said:
-        """What was said under this number, one of the last.
+    def dismiss(self, patient: PatientId) -> None:
+        """Have those come anew who follow this patient."""
+        with self._lock:
+            for listener in self._listeners:
+                if listener.follows == patient:
+                    listener.end()
+
+    def sentence(self, number: int) -> tuple[str, Settings]:
+        """What was said under this number, one of the last, and how it is to be spoken.
 
         Raises:
             KeyError: nothing, or too long ago.
         """
         with self._lock:
-            said = () if self._play is None else tuple(self._play.said)
-        return {one.number: one for one in said}[number]
-
-    def message(self, *, for_caregiver: bool) -> str:
-        """The state as the stream carries it."""
-        return self._message(None, (), for_caregiver=for_caregiver)
+            if self._play is None:
+                raise KeyError(number)
+            said = {one.number: one.text for one in self._play.said}
+            return said[number], self._play.scenery.start.settings
 
     # ------------------------------------------------------------ within
 
@@ -226,23 +256,30 @@ class Room:
         running = Running(
             stored.session, start, ReplayBoard(()), (), self._store.events, self._utc()
         )
-        scenery = Scenery.of(self.name, stored.session, start)
+        scenery = Scenery.of(self.name, stored.session, start, can_speak=self._can_speak)
         begun = Milliseconds(self._clock.monotonic() - running.session.now)
         play = _Play(stored, scenery, running, stage, begun)
         self._play = play
-        self._state = scenery.state(running.session, stage)
+        self._board_left = None
+        self._show()
         return play
 
     def _changed(self, play: _Play, event: Event, commands: Commands) -> None:
-        session = play.running.session
         play.stage = play.stage.after(commands)
         if play.stage.said is not None and play.stage.said.number == play.stage.steps:
             play.said.append(play.stage.said)
-        self._state = play.scenery.state(session, play.stage)
-        self._tell_all(event, commands)
+        self._show(event, commands)
 
-    def _tell_all(self, event: Event | None = None, commands: Commands = ()) -> None:
-        """Each message is encoded once, however many follow the room."""
+    @property
+    def _has_board(self) -> bool:
+        return any(listener.is_board for listener in self._listeners)
+
+    def _show(self, event: Event | None = None, commands: Commands = ()) -> None:
+        """Let everybody know how things are; each message is encoded once for all."""
+        state, play = RoomState(self.name), self._play
+        if play is not None:
+            state = play.scenery.state(play.running.session, play.stage)
+        self._state = replace(state, has_board=self._has_board)
         messages: dict[bool, str] = {}
         for listener in self._listeners:
             whose = listener.for_caregiver
@@ -250,7 +287,13 @@ class Room:
                 messages[whose] = self._message(event, commands, for_caregiver=whose)
             listener.offer(messages[whose])
 
-    def _message(self, event: Event | None, commands: Commands, *, for_caregiver: bool) -> str:
+    def _message(
+        self,
+        event: Event | None = None,
+        commands: Commands = (),
+        *,
+        for_caregiver: bool,
+    ) -> str:
         fields = self._state.as_json(for_caregiver=for_caregiver)
         if event is not None:
             if not for_caregiver:

@@ -48,10 +48,16 @@ class NoRoomLeftError(Exception):
 class Rooms:
     """Every room by its name. All methods are for any thread."""
 
-    def __init__(self, store: Store, clock: Clock) -> None:
+    def __init__(self, store: Store, clock: Clock, *, can_speak: bool = False) -> None:
         """The rooms in which sessions were under way when the server was stopped go on, paused."""
         self._store = store
         self._clock = clock
+        self.can_speak: Final = can_speak
+        """Whether sentences can be heard."""
+        if not can_speak:
+            _LOG.warning("espeak-ng is not installed: what the robot says is only shown")
+        self.lobby: Final = Room(RoomName("lobby"), store, clock)
+        """Never played in: patients' screens wait there for their next session."""
         self._lock = threading.RLock()
         self._rooms: dict[RoomName, Room] = {}
         for stored in store.sessions():
@@ -108,6 +114,8 @@ class Rooms:
             )
             sitting.keep(self._store)
             place.begin(sitting.stored, sitting.start)
+            for other in {self.lobby, *self.all()} - {place}:
+                other.dismiss(patient)
             return place
 
     def place(self, name: RoomName) -> Room:
@@ -120,7 +128,7 @@ class Rooms:
             if name not in self._rooms:
                 if len(self._rooms) >= MOST_ROOMS:
                     self._clear_away()
-                self._rooms[name] = Room(name, self._store, self._clock)
+                self._rooms[name] = Room(name, self._store, self._clock, can_speak=self.can_speak)
             return self._rooms[name]
 
     def named(self, name: RoomName) -> Room:

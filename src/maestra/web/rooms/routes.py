@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 from http import HTTPStatus
-from typing import Any, Final
+from typing import Annotated, Any, Final, cast
 
-from fastapi import APIRouter, HTTPException
-from fastapi.responses import JSONResponse
+from fastapi import APIRouter, Depends, HTTPException, Path
+from fastapi.responses import JSONResponse, Response
+from starlette.requests import HTTPConnection
 
 from maestra.coaching.events import EndOrdered
+from maestra.robots.phrases import NoVoiceError, Phrases
 from maestra.web.access.guard import Accompanying
 from maestra.web.access.ownership import demand_patient
 from maestra.web.context import Here
@@ -19,6 +21,16 @@ from maestra.web.rooms.room import NobodyPlaysError, Room
 from maestra.web.rooms.rooms import NoRoomLeftError, RoomsHere, TakenError
 from maestra.web.rooms.stage import RoomName
 from maestra.web.rooms.telling import Entered, tell
+
+WAV: Final = "audio/wav"
+
+
+def phrases_of(connection: HTTPConnection) -> Phrases:
+    """The spoken phrases of the application that is asked."""
+    return cast("Phrases", connection.app.state.phrases)
+
+
+PhrasesHere = Annotated[Phrases, Depends(phrases_of)]
 
 router: Final = APIRouter(prefix="/api/rooms", tags=["rooms"])
 
@@ -86,6 +98,29 @@ def end(room: Entered, guest: GuestHere) -> JSONResponse:
     except NobodyPlaysError:
         raise HTTPException(409, "nobody plays here") from None
     return JSONResponse(_state(room, guest.part))
+
+
+@router.get(
+    "/{name}/speech/{number}",
+    response_class=Response,
+    responses={
+        200: {"content": {WAV: {"schema": {"type": "string", "format": "binary"}}}},
+        **problems(401, 403, 404, 422),
+    },
+)
+def speech(
+    room: Entered,
+    number: Annotated[int, Path(ge=0, le=2**31 - 1, description="As the state has it.")],
+    phrases: PhrasesHere,
+) -> Response:
+    """One of the last things that the robot said, to be heard."""
+    try:
+        text, settings = room.sentence(number)
+        return Response(phrases.spoken(text, settings), media_type=WAV)
+    except KeyError:
+        raise HTTPException(404, "nothing was said under this number lately") from None
+    except NoVoiceError:
+        raise HTTPException(404, "there is no voice: espeak-ng is missing or has failed") from None
 
 
 def _state(room: Room, part: Part) -> dict[str, Any]:

@@ -28,7 +28,9 @@ from maestra.coaching.commands import (
 from maestra.coaching.notes import Note
 from maestra.coaching.recording import Start
 from maestra.coaching.session import Session
-from maestra.core.board import Cell
+from maestra.coaching.settings import Modality
+from maestra.coaching.table import Table
+from maestra.core.board import Board, Cell
 from maestra.core.tokens import TokenId
 from maestra.language import Language
 from maestra.web.board_view import tokens_by_id
@@ -109,6 +111,10 @@ class RoomState:
     language: Language = Language.EN
     moves: int = 0
     """The patient's own right ones."""
+    speaks: bool = False
+    """Whether what is said can be heard, and is to be."""
+    has_board: bool = False
+    """Whether a board has joined; then screens show it, and nothing is moved on them."""
 
     @property
     def is_under_way(self) -> bool:
@@ -137,7 +143,9 @@ class RoomState:
             else {
                 "number": self.said.number,
                 "text": self.said.text,
-                "speech": f"/api/rooms/{self.room}/speech/{self.said.number}",
+                "speech": f"/api/rooms/{self.room}/speech/{self.said.number}"
+                if self.speaks
+                else None,
             },
             "expression": self.expression.value,
             "gesture": None if self.gesture is None else self.gesture.value,
@@ -160,6 +168,7 @@ class RoomState:
             "awaiting": [encode_command(one) for one in self.awaiting],
             "language": self.language.value,
             "moves": self.moves,
+            "has_board": self.has_board,
         }
 
 
@@ -171,12 +180,15 @@ class Scenery:
     start: Start
     session: str
     tokens: Mapping[TokenId, TokenView]
+    speaks: bool
 
     @classmethod
-    def of(cls, room: RoomName, session: str, start: Start) -> Scenery:
-        """Made once, when the session begins."""
-        board, language = start.state.board, start.settings.language
-        return cls(room, start, session, tokens_by_id(start.deck, board, language))
+    def of(cls, room: RoomName, session: str, start: Start, *, can_speak: bool) -> Scenery:
+        """Made once, when the session begins; `can_speak`: whether there is a voice at all."""
+        settings = start.settings
+        tokens = tokens_by_id(start.deck, start.state.board, settings.language)
+        speaks = can_speak and Modality.SPEECH in settings.modalities
+        return cls(room, start, session, tokens, speaks)
 
     def state(self, session: Session, stage: Stage) -> RoomState:
         """The room's state: nothing but what follows from these."""
@@ -191,7 +203,7 @@ class Scenery:
             phase=session.phase.value,
             connected=session.connected,
             board=(board.rows, board.columns, board.goal_row),
-            cells={**table.cells, **table.air},
+            cells=_seen(table, board),
             held=tuple(table.air),
             tokens=self.tokens,
             rules=session.game.referee.rules,
@@ -204,7 +216,22 @@ class Scenery:
             awaiting=tuple(one for one in stage.moves if table.cells.get(one.token) == one.origin),
             language=self.start.settings.language,
             moves=session.tally.moves,
+            speaks=self.speaks,
         )
+
+
+def _seen(table: Table, board: Board) -> dict[TokenId, Cell]:
+    """Where a screen shows each token: a lifted one where it was lifted from.
+
+    Where another lies by now it is shown in storage, so that it can still be taken.
+    """
+    cells = dict(table.cells)
+    for token, origin in table.air.items():
+        taken = set(cells.values())
+        free = [cell for cell in (origin, *board.storage_cells) if cell not in taken]
+        if free:
+            cells[token] = free[0]
+    return cells
 
 
 def _pairs(cells: Mapping[TokenId, Cell]) -> dict[TokenId, list[int]]:

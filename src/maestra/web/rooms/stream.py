@@ -18,6 +18,7 @@ from maestra.core.faults import InvalidError
 from maestra.web.rooms.guests import Guest, GuestHere, Part
 from maestra.web.rooms.listeners import LeftError, Listener
 from maestra.web.rooms.room import Room
+from maestra.web.rooms.rooms import RoomsHere
 from maestra.web.rooms.telling import Entered, read, tell
 
 PING_S: Final = 10.0
@@ -37,7 +38,25 @@ router: Final = APIRouter()
 @router.websocket("/api/rooms/{name}/stream")
 async def stream(socket: WebSocket, room: Entered, guest: GuestHere) -> None:
     """Follow a room and tell it what happens."""
-    listener = Listener(for_caregiver=guest.part is Part.CAREGIVER, follows=guest.follows(room))
+    await _follow(socket, room, guest)
+
+
+@router.websocket("/api/screen/stream")
+async def screen_stream(socket: WebSocket, guest: GuestHere, rooms: RoomsHere) -> None:
+    """Follow the patient of this screen, wherever they play; between sessions, wait."""
+    if guest.patient is None:
+        await socket.close(OVER)
+        return
+    room = await to_thread.run_sync(rooms.of, guest.patient)
+    await _follow(socket, room or rooms.lobby, guest)
+
+
+async def _follow(socket: WebSocket, room: Room, guest: Guest) -> None:
+    listener = Listener(
+        for_caregiver=guest.part is Part.CAREGIVER,
+        is_board=guest.part is Part.BOARD,
+        follows=guest.follows(room),
+    )
     await socket.accept()
     await to_thread.run_sync(room.join, listener)
     telling = asyncio.create_task(_tell(socket, listener, guest, room))
