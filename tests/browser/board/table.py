@@ -1,5 +1,7 @@
-"""A tiny app of the tests' own: a board that is played by forms, and one that is played by a
-stream, with the real templates, style and module."""
+"""A tiny app of the tests' own: a board played by forms, and one played by a stream.
+
+Templates, style and module are the real ones.
+"""
 
 from __future__ import annotations
 
@@ -86,7 +88,9 @@ PAGES: Final = {
   <input id="search" name="search" value="{{ search }}">
   <p id="found" data-live>{{ search }}</p>
 </form>
-<form method="post" action="/elsewhere" data-swap><button id="leave">{{ _("Main") }}</button></form>
+<form method="post" action="/elsewhere" data-swap>
+  <button id="leave">{{ _("Main") }}</button>
+</form>
 <div class="controls"><button type="button" id="control">{{ _("Help") }}</button></div>
 {% endblock %}
 """,
@@ -226,9 +230,7 @@ class _Site:
             localised=Format(language.value),
             visitor=None,
             table=table,
-            view=board_view(
-                BOARD, DECK, table.state.cells, held=table.held, language=language
-            ),
+            view=board_view(BOARD, DECK, table.state.cells, held=table.held, language=language),
             **parts,
         )
         return HTMLResponse(text, status)
@@ -255,9 +257,7 @@ def table_app(table: Table) -> FastAPI:  # noqa: C901 - its routes
         return site.forms(request)
 
     @app.post("/moves")
-    async def press(
-        request: Request, cell: CellText, token: TokenText = ""
-    ) -> Response:
+    async def press(request: Request, cell: CellText, token: TokenText = "") -> Response:
         await asyncio.sleep(table.delay_s)
         table.presses.append(f"{token} {cell}".strip())
         match outcome(table.state, table.held, cell_of(cell), token):

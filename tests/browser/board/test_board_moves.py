@@ -247,7 +247,7 @@ class Fingers:
 
     def tell(self, what: str, *points: tuple[int, float, float]) -> None:
         """The fingers that are down, each with its number and place."""
-        self.devtools.send(
+        self.devtools.send(  # pyright: ignore[reportUnknownMemberType] - Playwright's dict is bare
             "Input.dispatchTouchEvent",
             {"type": what, "touchPoints": [{"id": n, "x": x, "y": y} for n, x, y in points]},
         )

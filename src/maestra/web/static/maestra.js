@@ -18,6 +18,7 @@
  *   [data-board]          a board, see parts/board.html
  *   [data-stream=URL]     the page follows this stream; a page has one
  *   [data-show=...]       sentence, question, lines, face, moves: filled from the stream
+ *   [data-hand]           the page moves what the robot is to move
  *   [data-when="a b"]     shown while one of these is so: a phase, view-put-back, question,
  *                         matter-place, speech, lost
  *   button[data-event]    tells the stream this event, a JSON; `answered` gets its question
@@ -36,6 +37,8 @@ const REACH = 0.95;
 /** This near the middle of a taken cell, the taken cell is meant and no other. */
 const CORE = 0.3;
 const GLIDE_MS = 350;
+/** How long a token is seen where it should not be, before the robot's hand moves it. */
+const HAND_MS = 900;
 /** Somebody stopped typing. */
 const REST_MS = 500;
 const DRAFT_AGAIN_MS = 3000;
@@ -66,7 +69,8 @@ const EDGE_PX = 48;
  *   said: Said | null, expression: string, pointed: [number, number][],
  *   view: {view: string, tokens: string[], lines: string[]} | null,
  *   question: {number: number, matter: string, text: string} | null,
- *   language: string, moves?: number,
+ *   language: string, moves?: number, has_board?: boolean,
+ *   awaiting?: {number: number, token: string, destination: [number, number]}[],
  * }} State
  */
 /** @typedef {{event: string} & Record<string, unknown>} PlayEvent */
@@ -1100,10 +1104,10 @@ class Stream {
     dead.close();
   }
 
-  /** @param {PlayEvent} event */
-  tell(event) {
+  /** @param {PlayEvent} event @param {string} [name] what others may tell it as, too */
+  tell(event, name) {
     const bytes = crypto.getRandomValues(new Uint8Array(12));
-    const id = [...bytes].map((byte) => byte.toString(16).padStart(2, "0")).join("");
+    const id = name ?? [...bytes].map((byte) => byte.toString(16).padStart(2, "0")).join("");
     this.outbox.set(id, { event, sent: 0 });
     this.sendOne(id);
   }
@@ -1181,9 +1185,11 @@ let shown = "";
 /** Show how everything is. @param {State} state */
 function follow(state) {
   const isFirst = shown === "";
-  const page = JSON.stringify([state.session, state.language, state.board]);
+  const page = JSON.stringify([state.session, state.language, state.board, state.has_board]);
   if (shown !== page) {
-    const other = shown !== "" || state.language !== document.documentElement.lang;
+    const drawn = document.getElementById("main")?.dataset["session"] ?? state.session ?? "";
+    const isDrawn = drawn === (state.session ?? "") && state.language === document.documentElement.lang;
+    const other = shown !== "" || !isDrawn;
     shown = page;
     // Another session, board or language: another page. Most often it is only the first message.
     if (other) void visit(location.href);
@@ -1199,6 +1205,32 @@ function follow(state) {
   each("lines", (list) => writeLines(list, state.view?.lines ?? []));
   when(state);
   voice.follow(state.said, !isFirst);
+  lendHand(state);
+}
+
+/** Commands that the hand is about to carry out. @type {Set<string>} */
+const inHand = new Set();
+
+/**
+ * The page is also the robot's hand, where it is the board: what the robot is to move glides after
+ * a moment, so that it is seen where it was. Two pages tell the same under the same id.
+ * @param {State} state
+ */
+function lendHand(state) {
+  for (const { number, token, destination } of state.awaiting ?? []) {
+    const id = `${state.session} ${number}`;
+    if (!document.querySelector("[data-hand]") || inHand.has(id)) continue;
+    inHand.add(id);
+    setTimeout(() => {
+      inHand.delete(id);
+      const now = stream?.state;
+      if (!stream || !now?.awaiting?.some((one) => one.number === number)) return;
+      if (now.session !== state.session) return;
+      stream.tell({ event: "placed", token, cell: destination }, `hand-${number}`);
+      stream.tell({ event: "robot-done", command: number }, `done-${number}`);
+      follow(now);
+    }, HAND_MS);
+  }
 }
 
 /** @param {HTMLElement} list @param {string[]} lines */
