@@ -23,6 +23,7 @@ from maestra.web.patients.desk import name_of, titles
 from maestra.web.patients.plan import MOST_EXERCISES
 from maestra.web.patients.routes import MOST_IN_PSEUDONYM, erase_for_ever
 from maestra.web.patients.whose import CaredFor, Followed
+from maestra.web.rooms.rooms import RoomsHere
 
 router: Final = APIRouter(prefix="/api/patients", tags=["patients"])
 
@@ -106,9 +107,12 @@ def patient(visitor: Following, patient: Followed, context: Here) -> PatientJson
 
 
 @router.delete("/{pseudonym}")
-def erase(visitor: Accompanying, patient: CaredFor, context: Here) -> ErasedJson:
+def erase(
+    visitor: Accompanying, patient: CaredFor, context: Here, rooms: RoomsHere
+) -> ErasedJson:
     """Erase a patient for ever: the key is destroyed, so no backup brings them back."""
-    return ErasedJson(cleaned=erase_for_ever(context, visitor, patient) == "erased")
+    done = erase_for_ever(context, rooms, visitor, patient)
+    return ErasedJson(cleaned=done == "erased")
 
 
 @router.get("/{pseudonym}/settings")

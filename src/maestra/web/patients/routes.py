@@ -28,6 +28,8 @@ from maestra.web.patients.care import Care
 from maestra.web.patients.desk import UNPROCESSABLE, AtDesk, Desk, name_of, titles
 from maestra.web.patients.plan import MOST_EXERCISES, Typed
 from maestra.web.patients.whose import Filled, only
+from maestra.web.progress import figures
+from maestra.web.rooms.rooms import Rooms, RoomsHere
 
 MOST_IN_PSEUDONYM: Final = 60
 """Letters of a pseudonym made here: it stands in tables and on buttons."""
@@ -140,18 +142,22 @@ def ask_to_erase(desk: AtDesk) -> HTMLResponse:
 
 
 @router.post("/patients/{pseudonym}/erase")
-def erase(desk: AtDesk) -> Response:
+def erase(desk: AtDesk, rooms: RoomsHere) -> Response:
     """Erase a patient for ever."""
-    done = erase_for_ever(desk.context, desk.visitor, desk.patient)
+    done = erase_for_ever(desk.context, rooms, desk.visitor, desk.patient)
     return RedirectResponse(f"/patients?done={done}", 303)
 
 
-def erase_for_ever(context: Context, visitor: Visitor, patient: PatientId) -> str:
+def erase_for_ever(
+    context: Context, rooms: Rooms, visitor: Visitor, patient: PatientId
+) -> str:
     """Erase a patient; what came of it: "erased", or "erased-late" where files remain.
 
     What remains is sealed with a key that is no more, and goes with the next erasing.
     """
     audit(context, visitor, Act.ERASED, patient)
+    rooms.forget(patient)
+    figures.forget(context.store, patient)
     try:
         context.store.erase(patient)
     except OSError:

@@ -11,7 +11,7 @@ from maestra.web.access.guard import Accompanying, Following
 from maestra.web.access.ownership import demand_patient
 from maestra.web.access.visitor import Visitor
 from maestra.web.context import Context, Here
-from maestra.web.patients.addresses import MOST_IN_ADDRESS, patient_at
+from maestra.web.patients.addresses import MOST_IN_ADDRESS, name_at
 from maestra.web.patients.plan import Typed
 
 MOST_FIELDS: Final = 500
@@ -35,7 +35,7 @@ def _followed(pseudonym: Segment, visitor: Following, context: Here) -> PatientI
 
 
 def _demanded(context: Context, visitor: Visitor, segment: str) -> PatientId:
-    patient = patient_at(segment)
+    patient = name_at(segment)
     if patient is None:
         raise HTTPException(404, "no such patient")
     return demand_patient(context, visitor, patient)

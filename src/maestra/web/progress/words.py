@@ -1,0 +1,123 @@
+"""What happened in a session, in words for whoever looks at it later."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import assert_never
+
+from maestra.coaching import events
+from maestra.coaching.events import Event
+from maestra.coaching.fields import Milliseconds
+from maestra.core.tokens import TokenId
+from maestra.rules.answers import Reply
+from maestra.web.pages import Pages
+from maestra.web.progress.replaying import Moment, Why
+
+
+def clock_words(at: Milliseconds) -> str:
+    """Minutes and seconds since the beginning: ``3:07``."""
+    minutes, seconds = divmod(at // 1000, 60)
+    return f"{minutes}:{seconds:02}"
+
+
+def event_words(event: Event | None, names: Mapping[TokenId, str], pages: Pages) -> str:  # noqa: C901, PLR0912 - one case for each event
+    """What happened.
+
+    Args:
+        event: None at the start.
+        names: what is said of each token.
+        pages: says it.
+    """
+    match event:
+        case None:
+            return pages.say("The tokens lie ready.")
+        case events.Begun():
+            return pages.say("Somebody sat down.")
+        case events.TokenLifted(token):
+            return pages.say("Token {token} was lifted.", token=_name(token, names))
+        case events.TokenPlaced(token, cell):
+            return pages.say(
+                "Token {token} was put on row {row}, column {column}.",
+                token=_name(token, names),
+                row=cell.row,
+                column=cell.column,
+            )
+        case events.TokenPutBack(token):
+            return pages.say("Token {token} was put back.", token=_name(token, names))
+        case events.SeveralTokens():
+            return pages.say("Several tokens were lifted at once.")
+        case events.BoardLost():
+            return pages.say("The board did not answer any more.")
+        case events.BoardBack():
+            return pages.say("The board answered.")
+        case events.HelpAsked():
+            return pages.say("The patient asked for help.")
+        case events.DoneSaid():
+            return pages.say("The patient said that this was all.")
+        case events.Paused():
+            return pages.say("The session was paused.")
+        case events.Resumed():
+            return pages.say("The session went on.")
+        case events.Skipped():
+            return pages.say("The caregiver skipped this move.")
+        case events.HintOrdered(level):
+            return pages.say("The caregiver asked for help at level {level}.", level=level)
+        case events.EndOrdered():
+            return pages.say("The caregiver ended the session.")
+        case events.VerdictOverridden(allowed):
+            if allowed:
+                return pages.say("The caregiver said: that was right.")
+            return pages.say("The caregiver said: that was wrong.")
+        case events.Answered(_, reply):
+            return _answer_words(reply, pages)
+        case events.TimePassed():
+            return pages.say("Time passed.")
+        case events.RobotDone():
+            return pages.say("The robot did what it was told.")
+        case events.RobotFailed():
+            return pages.say("The robot could not do what it was told.")
+        case _:
+            assert_never(event)
+
+
+def why_words(why: Why, pages: Pages) -> str:
+    """Why the robot helped as much as it did."""
+    said = pages.say(
+        "Help at level {level} of 5, at attempt {attempt} of move {step}.",
+        level=why.level,
+        attempt=why.attempt,
+        step=why.step,
+    )
+    reasons = {
+        "policy": pages.say("That was enough by what is known of the patient."),
+        "silence": pages.say("Nobody had moved for a while."),
+        "asked": pages.say("The patient had asked."),
+        "ordered": pages.say("The caregiver had asked."),
+    }
+    return f"{said} {reasons[why.why]}"
+
+
+def verdict_words(moment: Moment, pages: Pages) -> str:
+    """What came of a move; empty where none was judged."""
+    kinds = [note for note, _ in moment.notes]
+    if "refused" in kinds:
+        return pages.say("The move was refused.")
+    if "move" in kinds:
+        return pages.say("The move was right.")
+    if "returned" in kinds:
+        return pages.say("The token lay where it belongs again.")
+    return ""
+
+
+def _answer_words(reply: Reply, pages: Pages) -> str:
+    match reply:
+        case Reply.YES:
+            return pages.say("The caregiver answered yes.")
+        case Reply.NO:
+            return pages.say("The caregiver answered no.")
+        case _:
+            return pages.say("The caregiver did not know.")
+
+
+def _name(token: TokenId, names: Mapping[TokenId, str]) -> str:
+    return names.get(token, token)
