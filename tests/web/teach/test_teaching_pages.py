@@ -51,3 +51,23 @@ def test_a_newcomer_teaches_ascending_and_saves_it(caregiver: TestClient) -> Non
     assert "I am 9" in page
     page = caregiver.post(f"{root}/save", data={"name": "Ascending"}).text
     assert "Saved as “Ascending”, version 1." in page
+
+
+PLACES = ["", "/tokens", "/features", "/words", "/try", "/exam"]
+
+
+@pytest.mark.parametrize("language", ["en", "es", "ca"])
+def test_each_page_is_there_from_the_start_in_each_language(
+    caregiver: TestClient, language: str
+) -> None:
+    caregiver.post("/language", data={"language": language})
+    root = begun(caregiver)
+    for place in PLACES:
+        assert f'<html lang="{language}">' in caregiver.get(f"{root}{place}").text
+
+
+@pytest.mark.parametrize("deck", ["letters", "words", "shapes"])
+def test_each_deck_has_its_pages(caregiver: TestClient, deck: str) -> None:
+    root = begun(caregiver, deck)
+    for place in PLACES:
+        assert caregiver.get(f"{root}{place}").status_code == 200

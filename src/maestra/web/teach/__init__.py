@@ -4,6 +4,14 @@ from __future__ import annotations
 
 from typing import Final
 
-from maestra.web.teach import pictures, routes
+from maestra.web.teach import features, pictures, routes, tokens, trying, words
 
-ROUTERS: Final = (routes.router, pictures.router)
+ROUTERS: Final = (
+    # The pages with a fixed name come before those that are named by a draft.
+    tokens.router,
+    routes.router,
+    words.router,
+    trying.router,
+    features.router,
+    pictures.router,
+)

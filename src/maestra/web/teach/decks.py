@@ -15,13 +15,13 @@ from maestra.core.board import Board, Row
 from maestra.core.faults import Fault, InvalidError
 from maestra.core.tokens import LETTER, MAX_NUMBER, Deck, Token, TokenId, Value
 from maestra.rules.paper import LETTER_DECK, NUMBER_DECK
-from maestra.web.token_view import PICTURE
 
 NUMBER: Final = "value"
 WORD: Final = "word"
 KIND: Final = "category"
 COLOUR: Final = "colour"
 SHAPE: Final = "shape"
+PICTURE: Final = "picture"
 
 LEAST_ROWS: Final = 2
 MOST_ROWS: Final = 8
@@ -33,6 +33,9 @@ MOST_LETTERS: Final = 40
 """Of what stands on a token: more could not be read."""
 MOST_PROPERTIES: Final = 6
 """Columns of the table of tokens: more are not overlooked."""
+
+SPARE_ROWS: Final = 2
+"""Empty lines at the end of the table, for more tokens."""
 
 COLOURS: Final = ("red", "blue", "green", "yellow")
 Say: TypeAlias = Callable[[str], str]
@@ -148,13 +151,14 @@ def shapes_deck(colours: Sequence[str], shown: Sequence[str]) -> Deck:
     return _deck([[(COLOUR, one), (SHAPE, other)] for one, other in product(colours, shown)])
 
 
-def pictures_deck(names: Sequence[str]) -> Deck:
-    """A token for each picture, by what the picture is called.
+def pictures_deck(names: Sequence[str], before: Sequence[Token] = ()) -> Deck:
+    """The tokens with pictures that were there before, and one for each of these names.
 
     Raises:
         InvalidError: none, too many, or a name that is too long.
     """
-    return _deck([[(PICTURE, name)] for name in names])
+    kept = [token.attributes for token in before if token.value(PICTURE) is not None]
+    return _deck([*kept, *([(PICTURE, name)] for name in names)])
 
 
 # ---------------------------------------------------------------- the table of tokens

@@ -6,11 +6,11 @@ that is only looked at costs nothing, and after a restart it is simply worked ou
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from functools import lru_cache
 from typing import Final
 
 from maestra.core.demonstration import Demonstration
-from maestra.core.tokens import Deck
 from maestra.language import Language
 from maestra.language.teaching import Teacher
 from maestra.learning.dialogue import AskSlip, Dialogue, Terms, begin, step
@@ -18,8 +18,8 @@ from maestra.learning.exam import ExamPlay, exam_plays, objections, result
 from maestra.learning.grounded import learn_grounded
 from maestra.learning.taught import taught_exercise
 from maestra.rules.answers import Answer
+from maestra.rules.answers import Reply as Word
 from maestra.rules.exercise import Evidence, Exercise, RuledExercise
-from maestra.rules.judging import Judge
 from maestra.rules.setting import Index
 from maestra.rules.telling import told_exercise
 from maestra.web.teach.draft import Draft, Examined, Replied, Reply
@@ -81,11 +81,6 @@ def exercise_of(draft: Draft) -> Exercise | None:
     return None if dialogue is None else _taught(dialogue, draft)
 
 
-def judge_of(exercise: Exercise, deck: Deck) -> Judge:
-    """Who judges plays of the exercise with the draft's tokens."""
-    return Judge(exercise, deck)
-
-
 def exam_of(draft: Draft, exercise: RuledExercise) -> tuple[ExamPlay, ...]:
     """The plays of the exam that is under way; none where there is none."""
     if draft.exam is None:
@@ -93,9 +88,8 @@ def exam_of(draft: Draft, exercise: RuledExercise) -> tuple[ExamPlay, ...]:
     return _exam_plays(exercise, draft.exam.seed)
 
 
-def examined(draft: Draft, plays: tuple[ExamPlay, ...], date: str) -> Examined:
+def examined(plays: Sequence[ExamPlay], replies: Sequence[Word], date: str) -> Examined:
     """The step that an exam makes: its result, and the plays judged otherwise."""
-    replies = () if draft.exam is None else draft.exam.replies
     judged = list(zip(plays, replies, strict=False))
     return Examined(result(judged, date), objections(judged))
 

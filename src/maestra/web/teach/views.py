@@ -29,10 +29,11 @@ from maestra.learning.dialogue import (
 )
 from maestra.rules.answers import MoveQuestion, Question
 from maestra.rules.exercise import GroundedExercise, LearnStatus, RuledExercise
-from maestra.rules.setting import Index, Play
+from maestra.rules.setting import Index, Play, Setting
 from maestra.rules.summaries.summary import Check, summarise
 from maestra.storage.drafts import Digest
 from maestra.web.board_view import BoardView, board_view
+from maestra.web.rule_drawing import draw_rule
 from maestra.web.teach.draft import Draft
 from maestra.web.teach.understanding import (
     dialogue_of,
@@ -210,8 +211,15 @@ class Views:
     def _of_rules(self, exercise: RuledExercise) -> UnderstandingView:
         sentences = rule_sentences(exercise, self.language)
         told = exercise.status is LearnStatus.TOLD
+        setting = Setting(exercise.deck, self.draft.showing.start)
         rules = tuple(
-            RuleView(said.id, said.text, None if told else _percent(one.confidence))
+            RuleView(
+                said.id,
+                said.text,
+                None if told else _percent(one.confidence),
+                # The sentence stands beside it.
+                draw_rule(one.rule, setting, language=self.language),
+            )
             for said, one in zip(sentences, exercise.rules, strict=True)
         )
         others = tuple(self._others(exercise))
