@@ -92,7 +92,7 @@ def press_in_room(
     room: Entered, guest: GuestHere, request: Request, pressed: Pressing
 ) -> Response:
     """A button or a cell was pressed on a page without script."""
-    _let_happen(room, guest, pressed)
+    let_happen(room, guest, pressed)
     return RedirectResponse(request.url.path, HTTPStatus.SEE_OTHER)
 
 
@@ -113,7 +113,7 @@ def press_on_screen(
     """A button or a cell was pressed on a screen without script."""
     room = _of_screen(rooms, screen)
     if room is not None:
-        _let_happen(room, guest, pressed)
+        let_happen(room, guest, pressed)
     return RedirectResponse(PATIENT_PAGE, HTTPStatus.SEE_OTHER)
 
 
@@ -168,7 +168,8 @@ def _facts(state: RoomState) -> frozenset[str]:
     return frozenset(facts)
 
 
-def _let_happen(room: Room, guest: Guest, pressed: Press) -> None:
+def let_happen(room: Room, guest: Guest, pressed: Press) -> None:
+    """Tell the room what was pressed, and move what the robot is to move."""
     for event in _events(room.state, room.start, pressed):
         _tell(room, guest, event)
     for command in room.state.awaiting:

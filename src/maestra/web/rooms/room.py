@@ -133,10 +133,10 @@ class Room:
             OSError: the start cannot be kept.
         """
         with self._lock:
-            for listener in self._listeners:
-                if listener.follows not in {None, stored.patient}:
-                    listener.end()
             self._seat(stored, start, Stage())
+            for listener in self._listeners:
+                if listener.follows is not None:
+                    listener.end()  # also of the same patient: all begins anew
 
     def go_on(self, stored: StoredSession, start: Start, entries: Iterable[Entry]) -> None:
         """Let a session go on that the server was stopped in; it is paused until somebody resumes.

@@ -17,12 +17,14 @@
  *   [data-live]           fields in here take what the answer says; elsewhere what was typed stays
  *   [data-board]          a board, see parts/board.html
  *   [data-stream=URL]     the page follows this stream; a page has one
- *   [data-show=...]       sentence, question, lines, face, moves: filled from the stream
+ *   [data-show=...]       sentence, question, lines, face, moves, phase: filled from the stream
  *   [data-hand]           the page moves what the robot is to move
  *   [data-when="a b"]     shown while one of these is so: a phase, view-put-back, question,
  *                         matter-place, speech, lost
  *   button[data-event]    tells the stream this event, a JSON; `answered` gets its question
  *   button[data-replay]   says the last sentence again
+ *   [data-refresh=NUMBER] the page shows the stream's state of this number; once there is a later
+ *                         one, the page is asked for again, for what only the server can say
  *
  * Sections: values · pages · forms · tokens · the board · fingers and mouse · keyboard · one
  * switch · the stream · what the stream shows · start.
@@ -42,6 +44,8 @@ const HAND_MS = 900;
 /** Somebody stopped typing. */
 const REST_MS = 500;
 const DRAFT_AGAIN_MS = 3000;
+/** Several things that happen at once are asked for once. */
+const REFRESH_MS = 300;
 /** One switch: how long each row or cell is offered, unless the page says otherwise. */
 const SCAN_MS = 1500;
 /** Then nobody seems to be there; the next press begins anew. */
@@ -1200,12 +1204,28 @@ function follow(state) {
   glide(before);
   each("sentence", (line) => write(line, state.said?.text ?? ""));
   each("question", (line) => write(line, state.question?.text ?? ""));
+  each("phase", (part) => part.setAttribute("data-phase", state.phase));
   each("moves", (line) => write(line, String(state.moves ?? "")));
   each("face", (face) => face.setAttribute("data-expression", state.expression));
   each("lines", (list) => writeLines(list, state.view?.lines ?? []));
   when(state);
   voice.follow(state.said, !isFirst);
   lendHand(state);
+  refresh(state);
+}
+
+let isRefreshing = false;
+
+/** Ask for the page again where it is older than the state. @param {State} state */
+function refresh(state) {
+  const [place] = all("[data-refresh]");
+  if (!place || isRefreshing || state.sequence <= Number(place.dataset["refresh"])) return;
+  isRefreshing = true;
+  setTimeout(async () => {
+    await visit(location.href);
+    isRefreshing = false;
+    if (stream?.state) refresh(stream.state);
+  }, REFRESH_MS);
 }
 
 /** Commands that the hand is about to carry out. @type {Set<string>} */
