@@ -29,7 +29,7 @@ setup: ## set .venv up with everything a developer needs
 
 # pytest comes last, so that its closing lines are the last ones printed.
 .PHONY: test
-test: check-format lint types layers docs wheel tests ## set everything up, then pass every check
+test: check-format lint types javascript layers docs wheel tests ## set everything up, then pass every check
 
 .PHONY: check-format
 check-format: setup
@@ -43,6 +43,10 @@ lint: setup ## ruff
 types: setup ## mypy and pyright, both strict
 	$(STEP) mypy $(BIN)/mypy
 	$(STEP) pyright $(BIN)/pyright
+
+.PHONY: javascript
+javascript: setup ## the types of the browser's module, by TypeScript's compiler
+	$(STEP) javascript scripts/check_javascript.sh
 
 .PHONY: layers
 layers: setup ## the import rule of the house
