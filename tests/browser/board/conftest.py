@@ -1,6 +1,7 @@
 """The table's app instead of the real one, and pages on it in which nothing may go wrong."""
 
-from collections.abc import Iterator
+import time
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from typing import Protocol
 
@@ -57,6 +58,13 @@ class Seat:
     def lies_on(self, name: str) -> str:
         """The cell on which a token is shown."""
         return self.token(name).locator("..").get_attribute("value") or ""
+
+    def until(self, is_so: Callable[[], bool]) -> None:
+        """Wait until the table is so; the test fails if it never is."""
+        patience = time.monotonic() + PATIENCE_MS / 1000
+        while not is_so():
+            assert time.monotonic() < patience
+            self.page.wait_for_timeout(20)
 
 
 class TakeSeat(Protocol):

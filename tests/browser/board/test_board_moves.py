@@ -75,7 +75,7 @@ def test_a_token_can_be_moved_from_each_cell_to_each_other(
             "aria-label", f"row {destination.row}, column {destination.column}, token 19"
         )
     expect(seat.token("n19")).to_have_count(1)
-    seat.page.wait_for_timeout(200)
+    seat.until(lambda: len(table.moves) == len(way) - 1)
     assert cells_of(table) == way[1:]
 
 
@@ -138,7 +138,7 @@ def test_one_touch_anywhere_is_a_switch(sit: TakeSeat, table: Table) -> None:
         seat.page.locator(f"{wanted}.scanned").wait_for()
         touch.tap(5, 400)
     expect(seat.cell(1, 3).locator(".token")).to_have_count(1)
-    seat.page.wait_for_timeout(200)
+    seat.until(lambda: bool(table.moves))
     assert cells_of(table) == [Cell(BOARD.goal_row, BOARD.cells[2].column)]
 
 
@@ -214,7 +214,7 @@ def test_a_token_let_go_beside_a_cell_goes_onto_the_nearest(
     mouse.move(x + right * box["width"], y + down * box["height"], steps=3)
     mouse.up()
     expect(seat.cell(1, 3).locator(".token")).to_have_count(1)
-    seat.page.wait_for_timeout(200)
+    seat.until(lambda: bool(table.moves))
     assert [(move.token, move.destination.column) for move in table.moves] == [("n57", 3)]
 
 
@@ -262,7 +262,7 @@ def test_a_finger_drags_a_token(sit: TakeSeat, table: Table) -> None:
         fingers.tell("touchMove", (0, x + (to_x - x) * step / 4, y + (to_y - y) * step / 4))
     fingers.tell("touchEnd")
     expect(seat.cell(1, 2).locator(".token")).to_have_count(1)
-    seat.page.wait_for_timeout(200)
+    seat.until(lambda: bool(table.moves))
     assert [move.token for move in table.moves] == ["n23"]
 
 
@@ -279,7 +279,7 @@ def test_a_second_finger_is_ignored(sit: TakeSeat, table: Table) -> None:
     expect(seat.page.locator(".carried")).to_have_count(1)
     fingers.tell("touchEnd")
     expect(seat.cell(1, 2).locator(".token")).to_have_count(1)
-    seat.page.wait_for_timeout(200)
+    seat.until(lambda: bool(table.moves))
     assert [move.token for move in table.moves] == ["n23"]
     expect(seat.page.locator("[data-held]")).to_have_count(0)
 
@@ -298,7 +298,7 @@ def test_a_touch_that_the_system_takes_away_puts_the_token_back(
     assert seat.lies_on("n23") == "2,2"
     tap_tap(seat, Cell(BOARD.storage_cells[1].row, BOARD.storage_cells[1].column), BOARD.cells[0])
     expect(seat.cell(1, 1).locator(".token")).to_have_count(1)
-    seat.page.wait_for_timeout(200)
+    seat.until(lambda: bool(table.moves))
     assert [move.token for move in table.moves] == ["n23"]
 
 
@@ -309,7 +309,7 @@ def test_escape_puts_down_what_was_taken_up(sit: TakeSeat, table: Table) -> None
     seat.page.keyboard.press("Escape")
     expect(seat.page.locator("[data-held]")).to_have_count(0)
     expect(seat.page.locator("#announcer")).to_have_text("Token 19 stays where it was.")
-    seat.page.wait_for_timeout(300)
+    seat.until(lambda: table.presses == ["2,1", "2,1"])
     assert table.held is None
 
 

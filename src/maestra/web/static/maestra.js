@@ -14,7 +14,8 @@
  *   form[data-auto]       sent when somebody stops typing or chooses: searches, previews
  *   form[data-draft=URL]  what is typed is also sent there when somebody stops typing;
  *                         [data-draft-saved] inside it is shown once it is kept
- *   [data-live]           fields in here take what the answer says; elsewhere what was typed stays
+ *   [data-live]           for the reader of a template: this changes with the answers. Everything
+ *                         follows them, but what is typed stays unless the server says otherwise
  *   [data-board]          a board, see parts/board.html
  *   [data-stream=URL]     the page follows this stream; a page has one
  *   [data-show=...]       sentence, question, lines, face, moves, phase: filled from the stream
@@ -133,7 +134,16 @@ function keyOf(node) {
   return name ? `${node.nodeName} ${name} ${value || ""}` : "";
 }
 
-/** Give a field the state that its attributes say. @param {Element} field */
+/** What the page says that a field holds. @param {Element} field */
+function saidOf(field) {
+  if (field instanceof HTMLSelectElement) {
+    return JSON.stringify([...field.options].map((option) => option.defaultSelected));
+  }
+  if (field instanceof HTMLTextAreaElement) return field.defaultValue;
+  return field instanceof HTMLInputElement ? `${field.defaultValue} ${field.defaultChecked}` : "";
+}
+
+/** Give a field what the page says. @param {Element} field */
 function obey(field) {
   if (field instanceof HTMLInputElement) {
     if (field.type === "checkbox" || field.type === "radio") field.checked = field.defaultChecked;
@@ -152,13 +162,17 @@ function obey(field) {
  * what is opened.
  */
 class Morph {
-  /** @param {(field: Element) => boolean} follows whether a field takes what the page says */
+  /**
+   * @param {(field: Element, isNew: boolean) => boolean} follows whether a field takes what the
+   *     page says, which may be new
+   */
   constructor(follows) {
     this.follows = follows;
   }
 
   /** @param {Element} old @param {Element} fresh */
   element(old, fresh) {
+    const said = saidOf(old);
     for (const { name } of [...old.attributes]) {
       // Whether a reader has opened something is the reader's.
       const own = name === "open" && old instanceof HTMLDetailsElement;
@@ -168,7 +182,8 @@ class Morph {
       if (old.getAttribute(name) !== value) old.setAttribute(name, value);
     }
     this.children(old, fresh);
-    if (old.matches("input, textarea, select") && this.follows(old)) obey(old);
+    const isField = old.matches("input, textarea, select");
+    if (isField && this.follows(old, said !== saidOf(old))) obey(old);
   }
 
   /** @param {Element} old @param {Element} fresh */
@@ -260,11 +275,13 @@ async function show(answer, sent, keeps = false) {
   if (elsewhere) {
     document.body.replaceChildren();
   }
-  const follows = (/** @type {Element} */ field) =>
-    !keeps &&
-    (sent.has(field)
-      ? /** @type {HTMLInputElement} */ (field).value === sent.get(field)
-      : field !== focused && field.closest("[data-live]") !== null);
+  /** @param {Element} field @param {boolean} isNew */
+  const follows = (field, isNew) => {
+    if (keeps) return false;
+    if (!sent.has(field)) return isNew && field !== focused;
+    // What was typed since it was sent is not in the answer.
+    return /** @type {HTMLInputElement} */ (field).value === sent.get(field);
+  };
   new Morph(follows).element(document.body, fresh.body);
   start();
   glide(before);
