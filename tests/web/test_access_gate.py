@@ -281,3 +281,15 @@ def test_a_page_that_is_not_there_keeps_the_way_on(app: FastAPI, context: Contex
     assert [(one.act, one.account, one.detail) for one in lines] == [
         ("denied", ada.visitor.account, "/accounts")
     ]
+
+
+@pytest.mark.parametrize(
+    ("path", "page"),
+    [("/language", "/"), ("/screen/close", "/screen"), ("/devices/x/remove", "/devices/x")],
+)
+def test_what_a_form_was_sent_to_leads_back_to_its_page(
+    browser: TestClient, path: str, page: str
+) -> None:
+    answer = browser.get(path)
+    assert (answer.status_code, answer.headers["location"]) == (303, page)
+    assert browser.put(path).status_code == 405

@@ -112,6 +112,9 @@ async def _refused(request: Request, error: Exception) -> Response:
         return answer(request, error)
     if error.status_code == HTTPStatus.UNAUTHORIZED:
         return RedirectResponse(_entrance(request), HTTPStatus.SEE_OTHER)
+    if error.status_code == HTTPStatus.METHOD_NOT_ALLOWED and request.method == "GET":
+        # What a form was sent to, asked for again by a reload: the page stands above it.
+        return RedirectResponse(request.url.path.rpartition("/")[0] or HOME, HTTPStatus.SEE_OTHER)
     if isinstance(error, PasswordDueError):
         return RedirectResponse(NEW_PASSWORD, HTTPStatus.SEE_OTHER)
     return await run_in_threadpool(answer, request, error)
