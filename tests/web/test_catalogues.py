@@ -35,9 +35,10 @@ def of_templates() -> Iterator[str]:
     for template in WEB.rglob("*.html"):
         parsed = reader.parse(template.read_text("utf-8"))
         for _, _, text in extract_from_ast(parsed, gettext_functions=("_",)):
-            # None where what is said comes from Python.
-            if isinstance(text, str):
-                yield text
+            # With gaps a tuple whose first is the text; None where what is said comes from Python.
+            first = text[0] if isinstance(text, tuple) else text
+            if isinstance(first, str):
+                yield first
 
 
 def of_python() -> Iterator[str]:

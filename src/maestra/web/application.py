@@ -11,7 +11,7 @@ from fastapi import FastAPI
 from maestra import __version__
 from maestra.robots.phrases import Phrases
 from maestra.web import help as help_pages
-from maestra.web import home, language_choice, patients, problems, progress, teach
+from maestra.web import home, language_choice, patients, problems, progress, sessions, teach
 from maestra.web.access import routers as access
 from maestra.web.access.gate import Gate
 from maestra.web.assets import assets
@@ -32,6 +32,7 @@ ROUTERS: Final = (
     library_api.router,
     *patients.ROUTERS,
     *progress.ROUTERS,
+    *sessions.ROUTERS,
     *teach.ROUTERS,
     room_routes.router,
     patient_page.router,

@@ -254,17 +254,6 @@ def test_a_draft_survives_a_taken_profile(browsing: As, context: Context) -> Non
 # ---------------------------------------------------------------- the rest
 
 
-def test_the_score_is_shown_only_where_it_is_wanted(browsing: As, context: Context) -> None:
-    browser = browsing()
-    make(browser, "heron")
-    care = Care(context.store)
-    assert not care.plan(HERON).shows_score
-    browser.post("/patients/heron/score", data={"shows_score": "yes"})
-    assert care.plan(HERON).shows_score
-    browser.post("/patients/heron/score", data={})
-    assert not care.plan(HERON).shows_score
-
-
 def test_a_plan_comes_back_as_it_was_kept() -> None:
     plan = Plan(
         ("a",), {"x": ("1", "2")}, Profile(hand=Hand.LEFT), {"volume": 3}, shows_score=True

@@ -100,10 +100,6 @@ class Care:
         """Let these be the exercises that the patient plays."""
         self._plan(patient, exercises=tuple(sorted(exercises)))
 
-    def show_score(self, patient: PatientId, *, shown: bool) -> None:
-        """Whether the patient's page says how many moves were right."""
-        self._plan(patient, shows_score=shown)
-
     def change(self, patient: PatientId, settings: Settings) -> None:
         """Let these be in use from the next session on; `undo` takes it back."""
         with _CHANGING:

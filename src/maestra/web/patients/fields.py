@@ -105,8 +105,6 @@ GROUPS: Final[Mapping[str, Mapping[str, Kind]]] = MappingProxyType(
             "behaviour": OneOf(Behaviour),
             "patience_s": Whole(SHORTEST_PATIENCE_S, LONGEST_PATIENCE_S),
             "rounds": Whole(1, MOST_ROUNDS),
-            "one_switch": YesNo(),
-            "show_score": YesNo(),
         },
         "Helping": {
             "policy": OneOf(PolicyName),
@@ -116,6 +114,7 @@ GROUPS: Final[Mapping[str, Mapping[str, Kind]]] = MappingProxyType(
             "attempts": Whole(1, MOST_ATTEMPTS),
             "errorless": YesNo(),
         },
+        "The patient's screen": {"one_switch": YesNo(), "show_score": YesNo()},
         "Wrong tokens": {"put_back": OneOf(Helper), "robot_moves": YesNo()},
         "Tokens with numbers": {
             "difficulty": Hardness(),

@@ -36,8 +36,6 @@ class Plan:
     """One that was said, whose defaults have neither been taken nor left."""
     before: dict[str, Any] = field(default_factory=dict[str, Any])
     """What the last change of settings replaced, as `encode_settings` writes it."""
-    shows_score: bool = False
-    """Whether the patient's page may say how many moves were right."""
 
 
 class PlanJson(BaseModel):

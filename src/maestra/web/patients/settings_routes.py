@@ -76,13 +76,6 @@ def undo(desk: AtDesk) -> Response:
     return desk.to("/settings?done=undone")
 
 
-@router.post("/patients/{pseudonym}/score")
-def score(desk: AtDesk, typed: Filled) -> Response:
-    """Whether the patient's page says how many moves were right."""
-    desk.care.show_score(desk.patient, shown=fields.YES in typed.get("shows_score", ()))
-    return desk.to("/settings?done=changed#screen")
-
-
 @router.post("/patients/{pseudonym}/profile")
 def propose(desk: AtDesk, typed: Filled) -> Response:
     """Keep what the patient can and cannot do, and show what would follow from it."""
@@ -155,7 +148,6 @@ def _settings(
         ],
         has_draft=plan.draft is not None,
         before=list(_in_words(plan.before, pages)),
-        shows_score=plan.shows_score,
         faults=wrong,
     )
 
