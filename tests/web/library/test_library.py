@@ -2,17 +2,31 @@ import io
 import re
 import zipfile
 from collections.abc import Callable
+from dataclasses import replace
+from html import unescape
+from pathlib import Path
 
 import pytest
 from fastapi.testclient import TestClient
 
+from maestra.core.board import Board, Cell, Column, Row
+from maestra.core.demonstration import Demonstration
 from maestra.core.faults import InvalidError
+from maestra.core.formats import read_demonstrations
+from maestra.core.state import Move, State
+from maestra.core.tokens import Deck, Token, TokenId
 from maestra.language import Language
+from maestra.learning.grounded import learn_grounded
 from maestra.rules.completability import Completable, Conjunction
+from maestra.rules.exercise import Evidence
 from maestra.rules.exercise_format import decode_exercise, encode_exercise
+from maestra.rules.forms.counting import Total
+from maestra.rules.forms.length import FullRow
+from maestra.rules.paper import NUMBER_DECK
 from maestra.rules.paper_rules import paper_exercise
 from maestra.rules.setting import Play, Setting
-from maestra.rules.telling import dealt
+from maestra.rules.telling import dealt, told_exercise
+from maestra.rules.token_tests import Comparison
 from maestra.storage.shelf import Shelf, Source
 from maestra.web.access.visitor import Role
 from maestra.web.context import Context
@@ -23,6 +37,14 @@ from maestra.web.library.included import INCLUDED, Included, first_start
 Login = Callable[[Role], TestClient]
 UTC = "2026-05-04T12:00:00+00:00"
 CURIE = encode_exercise(paper_exercise("curie"))
+TEN = encode_exercise(
+    told_exercise(
+        (FullRow(), Total("value", Comparison.EQUAL, 10)),
+        Board(3, 2),
+        Deck(tuple(Token(TokenId(str(one)), (("value", one),)) for one in (3, 4, 6, 7))),
+    )
+)
+"""A sum, which no precondition can say."""
 
 
 @pytest.fixture
@@ -204,6 +226,63 @@ def test_a_version_that_is_not_there_is_not_found(browser: TestClient) -> None:
     assert browser.post(f"/library/{wanted}/again", data={"version": 9}).status_code == 404
 
 
+# ---------------------------------------------------------------- drawings
+
+
+def test_an_exercise_and_each_of_its_rules_is_drawn(browser: TestClient) -> None:
+    wanted = exercise_id("Five odd numbers, ascending")
+    page = browser.get(f"/library/{wanted}").text
+    pictures = [unescape(one) for one in re.findall(r'<img src="([^"]+)"', page)]
+    assert len(pictures) == 4
+    for picture in (f"/library/{wanted}/picture", *pictures):
+        answer = browser.get(picture)
+        assert answer.headers["content-type"] == "image/svg+xml"
+        assert answer.text.startswith("<svg")
+
+
+def test_actions_are_drawn_by_the_rules_that_sum_them_up(
+    context: Context, browser: TestClient
+) -> None:
+    file = Path(__file__).parents[3] / "examples" / "odd-ascending.jsonl"
+    shown = list(read_demonstrations([file.read_bytes()], file.name))
+    context.store.save_exercise("Actions", encode_exercise(learn_grounded(shown)))
+    wanted = exercise_id("Actions")
+    assert '<img src="' in browser.get(f"/library/{wanted}").text
+    assert browser.get(f"/library/{wanted}/picture").status_code == 200
+
+
+def moved_up(board: Board, deck: Deck) -> Demonstration:
+    """The deck's one token goes from the last storage cell to the first goal cell."""
+    (token,) = deck.by_id
+    origin, goal = Cell(Row(4), Column(5)), Cell(Row(1), Column(1))
+    return Demonstration(deck, State(board, {token: origin}), (Move(token, origin, goal),))
+
+
+def test_what_was_shown_is_drawn_as_it_was_shown(context: Context, browser: TestClient) -> None:
+    exercise = paper_exercise("curie")
+    only_c = Deck((exercise.deck.by_id[TokenId("C")],))
+    only_19 = Deck((NUMBER_DECK.by_id[TokenId("19")],))
+    evidence = Evidence(
+        (
+            moved_up(exercise.board, only_19),
+            moved_up(exercise.board, only_c),
+        )
+    )
+    context.store.save_exercise("Shown", encode_exercise(replace(exercise, evidence=evidence)))
+    drawing = browser.get(f"/library/{exercise_id('Shown')}/picture").text
+    assert ">G<" not in drawing
+
+
+def test_what_cannot_be_drawn_is_not_found(context: Context, browser: TestClient) -> None:
+    crowd = told_exercise((), Board(2, 2), NUMBER_DECK)
+    context.store.save_exercise("Crowd", encode_exercise(crowd))
+    context.store.save_exercise("Broken", "{}")
+    for name in ("Crowd", "Broken"):
+        assert browser.get(f"/library/{exercise_id(name)}/picture").status_code == 404
+    wanted = exercise_id("Spell CURIE")
+    assert browser.get(f"/library/{wanted}/picture?rule=none").status_code == 404
+
+
 # ---------------------------------------------------------------- files
 
 
@@ -250,8 +329,9 @@ def test_an_exercise_is_saved_as_pddl(browser: TestClient) -> None:
     assert archive.read("domain.pddl").startswith(b"(define (domain")
 
 
-def test_what_preconditions_cannot_say_is_no_pddl(browser: TestClient) -> None:
-    answer = browser.get(f"/library/{exercise_id('Make exactly 100')}/pddl")
+def test_what_preconditions_cannot_say_is_no_pddl(context: Context, browser: TestClient) -> None:
+    context.store.save_exercise("Ten", TEN)
+    answer = browser.get(f"/library/{exercise_id('Ten')}/pddl")
     assert answer.status_code == 422
     assert "This exercise cannot be said in PDDL:" in answer.text
 
@@ -307,8 +387,9 @@ def test_programs_are_told_each_fault(browser: TestClient) -> None:
     }
 
 
-def test_programs_get_pddl_or_a_conflict(browser: TestClient) -> None:
-    for name, status in (("Spell CURIE", 200), ("Make exactly 100", 409)):
+def test_programs_get_pddl_or_a_conflict(context: Context, browser: TestClient) -> None:
+    context.store.save_exercise("Ten", TEN)
+    for name, status in (("Spell CURIE", 200), ("Ten", 409)):
         answer = browser.get(f"/api/exercises/{exercise_id(name)}/pddl")
         assert answer.status_code == status
 

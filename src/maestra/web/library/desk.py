@@ -16,6 +16,7 @@ from maestra.web.access.visitor import Visitor
 from maestra.web.context import Context, Here
 from maestra.web.library.changes import Changes
 from maestra.web.library.collection import Collection, ExerciseId, Item
+from maestra.web.library.thumbnails import rule_names
 from maestra.web.pages import Page, Pages
 
 
@@ -91,6 +92,7 @@ class Desk:
         shown: dict[str, object] = {
             "item": item,
             "versions": self.versions(wanted),
+            "drawn": rule_names(self.text(item)),
             "is_removed": item.name in Shelf(self.context.store).removed(),
             "teach_on": urlencode({"from": item.name}),
             "typed": item.title,

@@ -6,10 +6,12 @@ from http import HTTPStatus
 from typing import Annotated, Final
 from urllib.parse import urlencode
 
-from fastapi import APIRouter, File, Form, Path, Query, UploadFile
+from fastapi import APIRouter, File, Form, HTTPException, Path, Query, UploadFile
 from fastapi.responses import HTMLResponse, RedirectResponse, Response
 
 from maestra.core.faults import InvalidError
+from maestra.core.text import MAX_TEXT
+from maestra.language import Language
 from maestra.web.library.collection import MOST_SEARCHED, ExerciseId
 from maestra.web.library.desk import AtDesk
 from maestra.web.library.files import (
@@ -20,6 +22,7 @@ from maestra.web.library.files import (
     pddl_archive,
     title_of,
 )
+from maestra.web.library.thumbnails import rule_picture, thumbnail
 
 router: Final = APIRouter(prefix="/library", include_in_schema=False)
 
@@ -115,6 +118,25 @@ def save_file(desk: AtDesk, wanted: Wanted, version: Version = None) -> Response
     item = desk.item(wanted, version)
     headers = attached(item.title, ENDING)
     return Response(desk.text(item), media_type="application/json", headers=headers)
+
+
+@router.get("/{wanted}/picture")
+def picture(
+    desk: AtDesk,
+    wanted: Wanted,
+    version: Version = None,
+    language: Language = Language.EN,
+    rule: Annotated[str, Query(max_length=MAX_TEXT)] = "",
+) -> Response:
+    """The exercise's board with what is right there, or one of its rules."""
+    text = desk.text(desk.item(wanted, version))
+    try:
+        drawing = rule_picture(text, rule, language) if rule else thumbnail(text, language)
+    except KeyError:
+        raise HTTPException(HTTPStatus.NOT_FOUND, "no such rule") from None
+    # A version never changes, so its drawing changes with the program alone.
+    headers = {"Cache-Control": "private, max-age=86400"}
+    return Response(drawing, media_type="image/svg+xml", headers=headers)
 
 
 @router.get("/{wanted}/pddl")
