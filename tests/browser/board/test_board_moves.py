@@ -12,8 +12,8 @@ from maestra.core.tokens import TokenId
 from tests.browser.board.conftest import Seat, TakeSeat
 from tests.browser.board.table import BOARD, START, Table
 
-SCAN_MS: Final = 250
-"""Faster than anybody presses; a test waits for the right moment."""
+SCAN_MS: Final = 800
+"""Long enough for a test on a busy computer to press in time."""
 
 
 def cells_of(table: Table) -> list[Cell]:
