@@ -17,6 +17,8 @@ from maestra.web.context import Context
 PASSWORD: Final = "a quiet harbour"
 WRONG: Final = "a loud harbour"
 
+ADA: Final = Account("", "Ada", Role.CAREGIVER.value, "en", "no hash, so no password")
+
 
 def quick_doors() -> Doors:
     """Doors whose hashes take no time: the tests make hundreds."""

@@ -152,8 +152,8 @@ def _listening(wanted: Wanted) -> Generator[socket.socket]:
         listener = _bound(wanted.host, port)
     except OSError as error:
         if error.errno != errno.EADDRINUSE or wanted.port is not None:
-            error.filename = f"{wanted.host}, port {port}"
-            raise
+            number = error.errno or 0
+            raise OSError(number, os.strerror(number), f"{wanted.host}, port {port}") from error
         listener = _bound(wanted.host, ANY_PORT)
     try:
         yield listener
