@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Final
 
-from maestra.web.teach import features, pictures, routes, tokens, trying, words
+from maestra.web.teach import api, features, pictures, routes, tokens, trying, words
 
 ROUTERS: Final = (
     # The pages with a fixed name come before those that are named by a draft.
@@ -14,4 +14,5 @@ ROUTERS: Final = (
     trying.router,
     features.router,
     pictures.router,
+    api.router,
 )

@@ -101,8 +101,18 @@ class Finish:
 
 
 @dataclass(frozen=True, slots=True)
+class Show:
+    """A whole demonstration at once."""
+
+    showing: Showing
+
+
+@dataclass(frozen=True, slots=True)
 class Undo:
     """As if the last touch or step had not been."""
+
+    whole: bool = False
+    """Of a demonstration all of it: its touches are not brought back."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -181,6 +191,7 @@ Action: TypeAlias = (
     | LayOut
     | Deal
     | Finish
+    | Show
     | Undo
     | Take
     | Equip
@@ -212,8 +223,10 @@ def act(draft: Draft, action: Action) -> Draft:  # noqa: C901, PLR0912 - a case 
             return _dealt_anew(draft)
         case Finish():
             return _finished(draft)
-        case Undo():
-            return _undone(draft)
+        case Show(showing):
+            return _finished(replace(draft, showing=showing))
+        case Undo(whole):
+            return _undone(draft, whole=whole)
         case Take(step):
             return _taken(draft, step)
         case Equip(deck, board, pictures):
@@ -279,14 +292,14 @@ def _finished(draft: Draft) -> Draft:
     return _with_step(replace(draft, showing=again, held=None), Shown(showing))
 
 
-def _undone(draft: Draft) -> Draft:
-    if draft.showing.touches:
+def _undone(draft: Draft, *, whole: bool) -> Draft:
+    if draft.showing.touches and not whole:
         return replace(draft, showing=draft.showing.before(), held=None)
     if not draft.steps or isinstance(draft.steps[-1], Recalled):
         raise CannotError(Why.NOTHING_TO_UNDO)
     *rest, last = draft.steps
     before = _settled(replace(draft, steps=tuple(rest), held=None))
-    if not isinstance(last, Shown):
+    if whole or not isinstance(last, Shown):
         return before
     showing = last.showing
     # A full row ended by itself, with its last touch.

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from pathlib import PurePath
 from typing import Annotated, Final
 from urllib.parse import urlencode
 
@@ -18,6 +19,8 @@ from maestra.web.teach.actions import CannotError, Why
 from maestra.web.teach.desk import Desk, Kept, StaleError, Work
 from maestra.web.teach.views import Views
 
+FIRST: Final = "show"
+"""The template of a draft's first page; the others are called as their addresses end."""
 STALE: Final = "stale"
 
 Seen = Annotated[str | None, Form(max_length=40)]
@@ -67,12 +70,14 @@ class Bench:
         self, template: str, kept: Kept, why: str = "", status: int = 200, **parts: object
     ) -> HTMLResponse:
         """A page about a draft."""
+        place = PurePath(template).stem
         text = self.pages.text(
             template,
             visitor=self.visitor,
             draft=kept.draft,
             kept=kept,
             root=path_of(kept.id),
+            place="" if place == FIRST else f"/{place}",
             why=self.why(why),
             **parts,
         )

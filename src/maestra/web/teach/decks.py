@@ -237,11 +237,41 @@ def board_for(deck: Deck, wanted: Board | None = None) -> Board:
     return Board(rows, board.columns, board.goal_row)
 
 
+def fit(board: Board) -> Board:
+    """The board, if it fits a screen.
+
+    Raises:
+        InvalidError: it does not.
+    """
+    demand_sides(board.rows, board.columns)
+    return board
+
+
+def demand_few(deck: Deck) -> None:
+    """Refuse a deck that no board has room for.
+
+    Raises:
+        InvalidError: it is one.
+    """
+    if len(deck.tokens) > MOST_TOKENS:
+        raise _too_many("tokens", len(deck.tokens))
+
+
 def sized(rows: int, columns: int, *, goal_at_the_end: bool) -> Board:
     """A board of this size, its goal row at the patient's side or far from it.
 
     Raises:
         InvalidError: it would not fit a screen.
+    """
+    demand_sides(rows, columns)
+    return Board(rows, columns, Row(rows if goal_at_the_end else 1))
+
+
+def demand_sides(rows: int, columns: int) -> None:
+    """Refuse a board that would not fit a screen.
+
+    Raises:
+        InvalidError: it would not.
     """
     faults = [
         Fault(name, str(side), f"{least} to {most}")
@@ -253,7 +283,6 @@ def sized(rows: int, columns: int, *, goal_at_the_end: bool) -> Board:
     ]
     if faults:
         raise InvalidError(faults)
-    return Board(rows, columns, Row(rows if goal_at_the_end else 1))
 
 
 def _deck(

@@ -13,7 +13,15 @@ from typing import Final
 from maestra.core.demonstration import Demonstration
 from maestra.language import Language
 from maestra.language.teaching import Teacher
-from maestra.learning.dialogue import AskSlip, Dialogue, Terms, begin, step
+from maestra.learning.dialogue import (
+    AskSlip,
+    Dialogue,
+    Finished,
+    NotAskedError,
+    Terms,
+    begin,
+    step,
+)
 from maestra.learning.exam import ExamPlay, exam_plays, objections, result
 from maestra.learning.grounded import learn_grounded
 from maestra.learning.taught import taught_exercise
@@ -53,6 +61,8 @@ def reply_to(draft: Draft, said: Reply) -> Replied:
     taught = draft.taught
     numbers, answers = taught.base
     shown = tuple(draft.demonstrations[k] for k in numbers)
+    if not shown or isinstance(_dialogue(shown, answers, taught.replies).ask, Finished):
+        raise NotAskedError(f"{said} to nothing")
     after = _dialogue(shown, answers, (*taught.replies, said))
     out = taught.out | {numbers[k] for k in after.taken_back}
     return Replied(said, after.answers, out)

@@ -29,6 +29,7 @@ from maestra.learning.dialogue import (
 )
 from maestra.rules.answers import MoveQuestion, Question
 from maestra.rules.exercise import GroundedExercise, LearnStatus, RuledExercise
+from maestra.rules.forms.length import FullRow
 from maestra.rules.setting import Index, Play, Setting
 from maestra.rules.summaries.summary import Check, summarise
 from maestra.storage.drafts import Digest
@@ -217,8 +218,10 @@ class Views:
                 said.id,
                 said.text,
                 None if told else _percent(one.confidence),
-                # The sentence stands beside it.
-                draw_rule(one.rule, setting, language=self.language),
+                # The sentence stands beside it; that all cells are filled needs no drawing.
+                ""
+                if isinstance(one.rule, FullRow)
+                else draw_rule(one.rule, setting, language=self.language),
             )
             for said, one in zip(sentences, exercise.rules, strict=True)
         )
