@@ -2,14 +2,14 @@
 
 import os
 import re
-import select
 import signal
 import socket
 import ssl
 import subprocess
 import sys
-import time
+import threading
 import urllib.request
+import webbrowser
 from collections.abc import Generator
 from contextlib import contextmanager
 from datetime import UTC, datetime, timedelta
@@ -195,7 +195,7 @@ def test_a_browser_is_opened_where_it_can_be_seen(
     tmp_path: Path, said: list[str], monkeypatch: pytest.MonkeyPatch
 ) -> None:
     opened: list[str] = []
-    monkeypatch.setattr(serving.webbrowser, "open", opened.append)
+    monkeypatch.setattr(webbrowser, "open", opened.append)
     monkeypatch.setattr(serving, "has_display", lambda: False)
     serving.serve(wanted(tmp_path, port=0, opens_browser=True), said.append)
     assert opened == []
@@ -247,14 +247,15 @@ def running(folder: Path, *options: str) -> Generator[tuple[subprocess.Popen[str
     )
     assert program.stdout is not None
     lines: list[str] = []
-    deadline = time.monotonic() + PATIENCE_S
+    watchdog = threading.Timer(PATIENCE_S, program.kill)
+    watchdog.start()
     try:
         while not lines or "Ctrl-C" not in lines[-1]:
-            assert select.select([program.stdout], [], [], deadline - time.monotonic())[0]
             lines.append(program.stdout.readline())
             assert lines[-1], lines
         yield program, lines
     finally:
+        watchdog.cancel()
         program.kill()
         program.stdout.close()
         program.wait()
