@@ -170,6 +170,39 @@ def test_a_server_that_does_not_answer_loses_nothing(sit: TakeSeat, table: Table
     assert table.words == ["kept"]
 
 
+@pytest.mark.parametrize(
+    ("status", "kind"), [(500, "text/html"), (429, "application/problem+json")]
+)
+def test_an_answer_that_is_no_page_leaves_the_page_as_it_is(
+    sit: TakeSeat, watch: Watch, status: int, kind: str
+) -> None:
+    watch.tolerate("500 for POST")
+    seat = sit()
+    seat.page.route(
+        "**/words", lambda route: route.fulfill(status=status, content_type=kind, body="no")
+    )
+    seat.page.fill("#word", "kept")
+    seat.page.keyboard.press("Enter")
+    expect(seat.page.locator("#unsent")).to_be_visible()
+    expect(seat.page.locator("#word")).to_have_value("kept")
+    expect(seat.page.get_by_role("heading", level=1)).to_have_text("Board")
+
+
+def test_a_draft_that_waits_is_not_kept_after_the_form_was_sent(
+    sit: TakeSeat, table: Table
+) -> None:
+    seat = sit()
+    seat.page.evaluate(
+        "() => { const form = document.getElementById('told').querySelector('form');"
+        " form.dataset.draft = '/draft'; form.word.name = 'note'; }"
+    )
+    seat.page.fill("#word", "sent")
+    seat.page.keyboard.press("Enter")
+    expect(seat.page.locator("#fault")).to_be_visible()
+    seat.page.wait_for_timeout(800)
+    assert table.draft == ""
+
+
 def test_a_form_that_is_pressed_twice_is_sent_once(sit: TakeSeat, table: Table) -> None:
     seat = sit()
     table.delay_s = 0.2

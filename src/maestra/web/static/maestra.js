@@ -99,7 +99,10 @@ const isStill = () => matchMedia("(prefers-reduced-motion: reduce)").matches;
 /** Have a screen reader say `text`. @param {string} text */
 function announce(text) {
   const line = document.getElementById("announcer");
-  if (line) line.textContent = text;
+  if (!line) return;
+  // The same words once more are only said if they were gone for a moment.
+  line.textContent = "";
+  setTimeout(() => (line.textContent = text), 50);
 }
 
 /** @param {HTMLFormElement} form @param {HTMLElement | null} [submitter] */
@@ -252,13 +255,18 @@ function glide(before) {
   }
 }
 
+/** The page that is shown; the address bar may be a step ahead, when somebody goes back. */
+let shownPath = location.pathname;
+
 /**
- * Show a page that was fetched.
+ * Show a page that was fetched; throws if it is none.
  * @param {Response} answer
  * @param {Map<Element, string>} sent fields of the form that was sent, as they were
  * @param {boolean} keeps whether all that is typed stays, also in the form that was sent
  */
 async function show(answer, sent, keeps = false) {
+  const isPage = answer.headers.get("content-type")?.startsWith("text/html");
+  if (answer.status >= 500 || !isPage) throw new Error(`${answer.status} for ${answer.url}`);
   const fresh = new DOMParser().parseFromString(await answer.text(), "text/html");
   await Board.allFree();
   // With more on its way this is no longer how things are.
@@ -266,7 +274,8 @@ async function show(answer, sent, keeps = false) {
   const address = new URL(answer.url);
   // What is refused has the address of what was asked for, and that is no page.
   const moves = answer.ok && address.href !== location.href;
-  const elsewhere = moves && address.pathname !== location.pathname;
+  const elsewhere = answer.ok && address.pathname !== shownPath;
+  if (answer.ok) shownPath = address.pathname;
   if (moves) history[elsewhere ? "pushState" : "replaceState"](null, "", address);
   const before = places();
   const focused = document.activeElement;
@@ -361,7 +370,11 @@ document.addEventListener("submit", (event) => {
   if (sending.busy.has(form)) return;
   sending.busy.add(form);
   const fields = fieldsOf(form, event.submitter);
-  const ready = form.matches("[data-language]") ? drafts.flush() : Promise.resolve();
+  const speaks = form.matches("[data-language]");
+  if (speaks) fields.set("back", location.pathname + location.search);
+  // What waits to be kept would come after what is sent now, and is older.
+  drafts.forget(form);
+  const ready = speaks ? drafts.flush() : Promise.resolve();
   void ready.then(() => send(form, fields)).finally(() => sending.busy.delete(form));
 });
 
@@ -399,6 +412,12 @@ class Drafts {
     } catch {
       if (!this.waiting.has(form)) this.later(form, DRAFT_AGAIN_MS);
     }
+  }
+
+  /** It is sent as a whole. @param {HTMLFormElement} form */
+  forget(form) {
+    clearTimeout(this.waiting.get(form));
+    this.waiting.delete(form);
   }
 
   /** Keep now what waits. */
@@ -758,10 +777,8 @@ class Board {
       event.preventDefault();
       this.at(...way)?.focus();
     } else if (event.key === "Escape") {
-      if (this.drag) this.drag.cancel();
-      else if (this.held?.parentElement instanceof HTMLButtonElement) {
-        this.release(this.held.parentElement);
-      }
+      const from = this.held?.parentElement;
+      if (from instanceof HTMLButtonElement && !this.drag) this.release(from);
     }
   }
 }
@@ -788,8 +805,11 @@ class Drag {
     addEventListener("pointerup", (up) => up.pointerId === this.pointer && this.let(), { signal });
     addEventListener("pointercancel", (up) => up.pointerId === this.pointer && this.cancel(), { signal });
     addEventListener("blur", () => this.cancel(), { signal });
-    // Else the browser drags pictures by itself.
-    addEventListener("dragstart", (drag) => drag.preventDefault(), { signal });
+    addEventListener("keydown", (key) => key.key === "Escape" && this.cancel(), { signal });
+    // Else the browser drags pictures by itself, and a long press opens a menu.
+    for (const own of ["dragstart", "contextmenu"]) {
+      addEventListener(own, (begun) => begun.preventDefault(), { signal });
+    }
   }
 
   /** @param {PointerEvent} event */
