@@ -107,9 +107,7 @@ def patient(visitor: Following, patient: Followed, context: Here) -> PatientJson
 
 
 @router.delete("/{pseudonym}")
-def erase(
-    visitor: Accompanying, patient: CaredFor, context: Here, rooms: RoomsHere
-) -> ErasedJson:
+def erase(visitor: Accompanying, patient: CaredFor, context: Here, rooms: RoomsHere) -> ErasedJson:
     """Erase a patient for ever: the key is destroyed, so no backup brings them back."""
     done = erase_for_ever(context, rooms, visitor, patient)
     return ErasedJson(cleaned=done == "erased")

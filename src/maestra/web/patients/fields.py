@@ -100,7 +100,7 @@ GROUPS: Final[Mapping[str, Mapping[str, Kind]]] = MappingProxyType(
             "speech_wpm": Whole(SLOWEST_WPM, FASTEST_WPM),
             "volume": Whole(0, 100),
         },
-        "Manner": {
+        "Manner and pace": {
             "persona": OneOf(Persona),
             "behaviour": OneOf(Behaviour),
             "patience_s": Whole(SHORTEST_PATIENCE_S, LONGEST_PATIENCE_S),

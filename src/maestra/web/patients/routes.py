@@ -148,9 +148,7 @@ def erase(desk: AtDesk, rooms: RoomsHere) -> Response:
     return RedirectResponse(f"/patients?done={done}", 303)
 
 
-def erase_for_ever(
-    context: Context, rooms: Rooms, visitor: Visitor, patient: PatientId
-) -> str:
+def erase_for_ever(context: Context, rooms: Rooms, visitor: Visitor, patient: PatientId) -> str:
     """Erase a patient; what came of it: "erased", or "erased-late" where files remain.
 
     What remains is sealed with a key that is no more, and goes with the next erasing.

@@ -15,13 +15,13 @@ from maestra.web.pages import Pages
 
 MOST_DRAWN: Final = 60
 """Sessions in one picture: more would be a wall of marks."""
-WIDTH: Final = 420
-HEIGHT: Final = 250
-LEFT: Final = 66
-RIGHT: Final = 400
-TOP: Final = 20
-BOTTOM: Final = 200
-_TICK: Final = 224
+WIDTH: Final = 320
+HEIGHT: Final = 210
+LEFT: Final = 52
+RIGHT: Final = 310
+TOP: Final = 18
+BOTTOM: Final = 168
+_TICK: Final = 196
 """Where the numbers of the sessions stand."""
 
 
@@ -60,12 +60,12 @@ def endings(number: str, completed: Sequence[bool], title: str, pages: Pages) ->
     said = pages.say("{done} of {all} sessions were completed.", done=done, all=len(completed))
     marks = Markup("").join(
         Markup(
-            '<circle cx="{}" cy="40" r="{}" fill="{}" stroke="#0a4f5c" stroke-width="2"/>'
-        ).format(f"{x:.1f}", 7 if one else 5, "#0a4f5c" if one else "#ffffff")
+            '<circle cx="{}" cy="34" r="{}" fill="{}" stroke="#0a4f5c" stroke-width="2"/>'
+        ).format(f"{x:.1f}", 6 if one else 4, "#0a4f5c" if one else "#ffffff")
         for one, (x, _) in zip(shown, _places([0.0] * len(shown), 1), strict=True)
     )
-    parts = marks + _ticks(first, len(completed), 84)
-    return Curve(title, said, _frame(number, title, said, parts, 100))
+    parts = marks + _ticks(first, len(completed), 78)
+    return Curve(title, said, _frame(number, title, said, parts, 92))
 
 
 def trend_words(trend: Trend, pages: Pages) -> str:
@@ -123,7 +123,7 @@ def _grid(top: float, pages: Pages) -> Markup:
                 f"{y:.1f}",
                 RIGHT,
                 "#1b2733" if share == 0 else "#d5d9da",
-                LEFT - 10,
+                LEFT - 8,
                 f"{y + 6:.1f}",
                 value,
             )
@@ -160,6 +160,6 @@ def _line(places: Sequence[tuple[float, float | None]]) -> Markup:
 
 def _marks(places: Sequence[tuple[float, float | None]]) -> Markup:
     return Markup("").join(
-        Markup('<circle cx="{}" cy="{}" r="5" fill="#0a4f5c"/>').format(f"{x:.1f}", f"{y:.1f}")
+        Markup('<circle cx="{}" cy="{}" r="4" fill="#0a4f5c"/>').format(f"{x:.1f}", f"{y:.1f}")
         for x, y in places
     )

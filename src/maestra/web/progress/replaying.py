@@ -76,6 +76,8 @@ class Moment:
     wrong: tuple[Cell, ...] = ()
     """Where tokens lie that should be put back."""
     said: tuple[str, ...] = ()
+    standing: str = ""
+    """What was said last, now or before."""
     asked: tuple[str, ...] = ()
     """Of the caregiver."""
     help: Why | None = None
@@ -129,6 +131,7 @@ def _moments(start: Start, entries: Iterator[Entry]) -> Iterator[Moment]:
             timed = decode_event(json.loads(entry.payload))
             lies = lies.after(timed.what)
             moment = lies.moment(moment.number + 1, timed.at, timed.what)
+            moment = replace(moment, standing=_standing(stage), pointed=stage.pointed)
             waiting = True
         elif entry.kind == "commands":
             commands: Commands = tuple(map(decode_command, json.loads(entry.payload)))
@@ -218,11 +221,16 @@ def _with(moment: Moment, commands: Commands, stage: Stage) -> Moment:
         moment,
         pointed=stage.pointed,
         said=tuple(one.text for one in commands if isinstance(one, Say)),
+        standing=_standing(stage),
         asked=tuple(one.text for one in commands if isinstance(one, AskCaregiver)),
         help=None if help_given is None else _why(help_given),
         kind=next((one for one in NOTABLE if one.value in kinds), None),
         notes=notes,
     )
+
+
+def _standing(stage: Stage) -> str:
+    return "" if stage.said is None else stage.said.text
 
 
 def _why(fields: Mapping[str, Any]) -> Why:

@@ -280,7 +280,7 @@ def replay(
         lasted=clock_words(whole.moments[-1].at),
         happened=event_words(moment.event, names, pages),
         verdict=verdict_words(moment, pages),
-        why="" if moment.help is None else why_words(moment.help, pages),
+        why=why_words(moment, pages),
         language_said=start.settings.language.value,
         line=_time_line(whole, moment),
         notable=[

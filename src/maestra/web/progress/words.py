@@ -80,8 +80,24 @@ def event_words(event: Event | None, names: Mapping[TokenId, str], pages: Pages)
             assert_never(event)
 
 
-def why_words(why: Why, pages: Pages) -> str:
-    """Why the robot helped as much as it did."""
+def why_words(moment: Moment, pages: Pages) -> str:
+    """Why the robot did what it did then; empty where there is nothing to explain."""
+    asked = next((fields for note, fields in moment.notes if note == "put-back-asked"), None)
+    if asked is not None:
+        return _helper_words(str(asked["helper"]), pages)
+    return "" if moment.help is None else _help_words(moment.help, pages)
+
+
+def _helper_words(helper: str, pages: Pages) -> str:
+    said = {
+        "robot": pages.say("A token lies wrong. The robot puts it back."),
+        "patient": pages.say("A token lies wrong. The patient is asked to put it back."),
+        "caregiver": pages.say("A token lies wrong. The caregiver is asked to put it back."),
+    }
+    return said[helper]
+
+
+def _help_words(why: Why, pages: Pages) -> str:
     said = pages.say(
         "Help at level {level} of 5, at attempt {attempt} of move {step}.",
         level=why.level,

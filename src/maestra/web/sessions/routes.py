@@ -295,9 +295,9 @@ def _lately(
     whole = recorded(context.store.events.entries(stored.session))
     moments = () if whole is None else whole.moments
     names = _names(start, pages)
-    helped = next((one.help for one in reversed(moments) if one.help is not None), None)
+    reasons = (why_words(one, pages) for one in reversed(moments))
     return {
-        "why": "" if helped is None else why_words(helped, pages),
+        "why": next((one for one in reasons if one), ""),
         "lately": [_line(one, names, pages) for one in moments[: -LAST - 1 : -1]],
     }
 
