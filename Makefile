@@ -17,7 +17,12 @@ help: ## list the targets
 # ---------------------------------------------------------------- use it
 
 .PHONY: run
-run: ## set everything up, then play with Maestra in the terminal
+run: ## set everything up, then serve the pages and open them in a browser
+	@scripts/environment.sh product
+	@exec $(BIN)/maestra serve --open
+
+.PHONY: demo
+demo: ## set everything up, then play with Maestra in the terminal
 	@scripts/environment.sh product
 	@$(BIN)/maestra demo
 

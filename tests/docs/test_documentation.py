@@ -29,6 +29,14 @@ BY_HAND: Final = {
         "waits for a person"
     ),
     ("docs/tutorial/teach.md", "$ maestra exam letters.json"): "waits for a person",
+    ("docs/how-to/run-the-server.md", "$ make run"): "waits for a person",
+    (
+        "docs/how-to/run-the-server.md",
+        "$ maestra serve --host 0.0.0.0 --port 8443 --certificate maestra.pem --key maestra.key",
+    ): "serves until it is stopped",
+    ("docs/how-to/run-the-server.md", "$ maestra serve --behind-proxy"): (
+        "serves until it is stopped"
+    ),
     ("README.md", "$ make test"): "runs this very test",
     ("CONTRIBUTING.md", "$ make setup"): "changes the environment the tests run in",
     ("CONTRIBUTING.md", "$ make test"): "runs this very test",
