@@ -179,7 +179,8 @@ class Table:
 
 def table_of(deck: Deck) -> Table:
     """A deck as a table, ordered ones in their order."""
-    names = tuple(deck.scales)
+    # What stands in large comes first, what kind of thing it is last.
+    names = tuple(sorted(deck.scales, key=lambda name: (name == KIND, name)))
     tokens = sorted(deck.tokens, key=lambda one: _place(deck, one))
     rows = tuple(
         (str(token.id), tuple(_written(token.value(name)) for name in names)) for token in tokens
