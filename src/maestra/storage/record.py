@@ -3,11 +3,10 @@
 import contextlib
 import json
 from collections.abc import Callable, Generator, Iterator, Sequence
-from dataclasses import asdict, replace
 from datetime import UTC, datetime
-from typing import Final
+from typing import Final, TypeAlias
 
-from sqlalchemy import Connection, Row, func, insert, select
+from sqlalchemy import Connection, Row, bindparam, func, insert, select
 
 from maestra.coaching.fields import Milliseconds
 from maestra.coaching.ports import Entry, NewEntry, SessionId
@@ -30,6 +29,17 @@ from maestra.storage.writer import Writer
 
 _AT_ONCE: Final = 1_000
 """Rows that are read at a time."""
+
+_End: TypeAlias = tuple[int, bytes]
+"""Where the record ends: sequence and digest of the last event."""
+
+# Put together once: that takes longer than what they ask of the database.
+_KNOWN: Final = select(EVENTS).where(EVENTS.c.key_tag == bindparam("key"))
+_WHOSE: Final = select(SESSIONS.c.subject).where(SESSIONS.c.tag == bindparam("session"))
+_LAST: Final = select(EVENTS.c.sequence, EVENTS.c.digest).where(
+    EVENTS.c.sequence == select(func.max(EVENTS.c.sequence)).scalar_subquery()
+)
+_KEEP: Final = insert(EVENTS)
 
 
 class Signer:
@@ -115,29 +125,36 @@ class Record:
 
     def note(self, connection: Connection, kind: str, payload: str) -> None:
         """Keep something that belongs to no session, within a transaction of the writer."""
-        sequence = tail(connection)[0] + 1
+        end = tail(connection)
         entry = NewEntry(
             SessionId(""),
-            f"{kind} {sequence}",
+            f"{kind} {end[0] + 1}",
             Milliseconds(0),
             datetime.now(UTC).isoformat(),
             kind,
             payload,
         )
-        self._append(connection, entry, None)
+        self._append(connection, entry, None, end)
 
     def _append_all(
         self, connection: Connection, entries: Sequence[NewEntry]
     ) -> tuple[Entry, ...]:
         subjects = {one.session: self._subject(connection, one.session) for one in entries}
-        return tuple(self._append(connection, one, subjects[one.session]) for one in entries)
+        end, kept = tail(connection), list[Entry]()
+        for one in entries:
+            entry, end = self._append(connection, one, subjects[one.session], end)
+            kept.append(entry)
+        return tuple(kept)
 
-    def _append(self, connection: Connection, entry: NewEntry, subject: SubjectId | None) -> Entry:
+    def _append(
+        self, connection: Connection, entry: NewEntry, subject: SubjectId | None, end: _End
+    ) -> tuple[Entry, _End]:
+        """Keep it after `end`, unless it is there already; and where the record ends now."""
         key_tag = self._vault.tag("entry", subject or "", entry.session, entry.key)
-        known = connection.execute(select(EVENTS).where(EVENTS.c.key_tag == key_tag)).one_or_none()
+        known = connection.execute(_KNOWN, {"key": key_tag}).one_or_none()
         if known is not None:
-            return self._same(known, entry)
-        sequence, previous = tail(connection)
+            return self._same(known, entry), end
+        sequence, previous = end
         contents = json.dumps([entry.session, entry.key, entry.kind, entry.payload]).encode()
         link = Link(
             sequence + 1,
@@ -149,9 +166,10 @@ class Record:
             self._vault.seal(subject, contents, f"event {key_tag}"),
             b"",
         )
-        chained = replace(link, digest=digest_after(previous, link))
-        connection.execute(insert(EVENTS).values(asdict(chained)))
-        return _kept(entry, link.sequence)
+        digest = digest_after(previous, link)
+        row = {name: getattr(link, name) for name in Link.__slots__}
+        connection.execute(_KEEP, {**row, "digest": digest})
+        return _kept(entry, link.sequence), (link.sequence, digest)
 
     def _same(self, known: Row[tuple[object, ...]], entry: NewEntry) -> Entry:
         kept = self._entry(known)
@@ -162,10 +180,8 @@ class Record:
         return kept
 
     def _subject(self, connection: Connection, session: SessionId) -> SubjectId | None:
-        query = select(SESSIONS.c.subject).where(
-            SESSIONS.c.tag == session_tag(self._vault, session)
-        )
-        found = connection.execute(query).one_or_none()
+        tag = session_tag(self._vault, session)
+        found = connection.execute(_WHOSE, {"session": tag}).one_or_none()
         if found is None:
             raise KeyError(session)
         return None if found.subject is None else SubjectId(found.subject)
@@ -184,11 +200,9 @@ def session_tag(vault: Vault, session: SessionId) -> str:
     return vault.tag("session", session)
 
 
-def tail(connection: Connection) -> tuple[int, bytes]:
+def tail(connection: Connection) -> _End:
     """Sequence and digest of the last event; 0 and `GENESIS` where there is none."""
-    last = select(func.max(EVENTS.c.sequence)).scalar_subquery()
-    query = select(EVENTS.c.sequence, EVENTS.c.digest).where(EVENTS.c.sequence == last)
-    found = connection.execute(query).one_or_none()
+    found = connection.execute(_LAST).one_or_none()
     return (0, GENESIS) if found is None else (found.sequence, found.digest)
 
 
