@@ -2,15 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable
 from dataclasses import dataclass, field
-from enum import Enum
-from typing import Final, TypeAlias
+from typing import Final
 
 from markupsafe import Markup
 
 from maestra.core.tokens import TokenId
-from maestra.web.board_drawing import ACCENT, GAP, LETTER, TEXT, TINT, Point, element, text
+from maestra.web.board_drawing import ACCENT, Point, element, text
 
 _SHAPES: Final = (
     "M0-8A8 8 0 1 1 0 8A8 8 0 1 1 0-8z",
@@ -22,19 +21,6 @@ _SHAPES: Final = (
 )
 """Marks of sets, around 0 0: circle, triangle, square, diamond, star, cross."""
 CORNERS: Final = ((1, -1), (-1, -1), (1, 1), (-1, 1))
-
-
-class Icon(Enum):
-    """What is small enough to stand among words."""
-
-    ROW = "row"
-    """All of the goal row."""
-    TIME = "time"
-    """A clock."""
-
-
-Chip: TypeAlias = str | int | Icon
-"""A part of a line below the board: words, the number of a set's mark, an icon."""
 
 
 @dataclass
@@ -74,19 +60,3 @@ def medal(words: str, at: Point) -> Markup:
         "circle", cx=at.x, cy=at.y, r=13, fill="#fff", stroke=ACCENT, stroke_width=2.5
     )
     return circle + text(words, at, size)
-
-
-def width_of(line: Sequence[Chip]) -> float:
-    """How wide a line below the board is, about."""
-    return sum(len(part) * LETTER * TEXT + GAP if isinstance(part, str) else 34.0 for part in line)
-
-
-def draw_icon(icon: Icon, at: Point) -> Markup:
-    """An icon with its middle at a point."""
-    style = {"fill": TINT, "stroke": ACCENT, "stroke_width": 3}
-    if icon is Icon.ROW:
-        return element("rect", x=at.x - 13, y=at.y - 8, width=26, height=16, rx=3, **style)
-    hands = f"M{at.x:.1f} {at.y - 6:.1f}V{at.y:.1f}H{at.x + 5:.1f}"
-    return element("circle", cx=at.x, cy=at.y, r=11, **style) + element(
-        "path", d=hands, fill="none", stroke=ACCENT, stroke_width=2.5
-    )

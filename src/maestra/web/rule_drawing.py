@@ -8,7 +8,6 @@ is on the tokens where they lie and wherever the rule speaks of them.
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from decimal import Decimal
 from typing import Final, assert_never
 
 from markupsafe import Markup
@@ -26,7 +25,6 @@ from maestra.rules.pictures import (
     Balance,
     Choice,
     Implication,
-    Measure,
     Place,
     Selection,
     Sign,
@@ -37,8 +35,7 @@ from maestra.rules.pictures import (
     picture,
 )
 from maestra.rules.rule import Rule
-from maestra.rules.setting import Line, Setting
-from maestra.rules.token_tests import Comparison
+from maestra.rules.setting import Setting
 from maestra.web.board_drawing import (
     ACCENT,
     CELL,
@@ -54,15 +51,12 @@ from maestra.web.board_drawing import (
     picture_of,
     text,
 )
+from maestra.web.drawing_lines import below, draw_line, width_of
 from maestra.web.drawing_marks import (
     CORNERS,
-    Chip,
-    Icon,
     Marks,
-    draw_icon,
     mark,
     medal,
-    width_of,
 )
 from maestra.web.token_view import TokenView, token_view
 
@@ -80,17 +74,6 @@ SIGN: Final = 26.0
 """Size of a sign on an arrow."""
 SHORT: Final = 46.0
 """An arrow shorter than this has its sign in the cell that it leads to."""
-_LONGEST_NAME: Final = 14
-
-
-_COMPARED: Final = {
-    Comparison.LESS: "<",
-    Comparison.AT_MOST: "≤",
-    Comparison.EQUAL: "=",
-    Comparison.DIFFERENT: "≠",
-    Comparison.AT_LEAST: "≥",
-    Comparison.MORE: ">",
-}
 
 
 def draw_rule(
@@ -172,12 +155,11 @@ class _Panel:
         self._turns = self._last_turn()
         self._time = self._plan.bottom + (_height(turns) if turns else 0.0) + TURN + 14
         """How far down the line of time is."""
-        below = {s.place for s in strokes if isinstance(s, Choice | Badge)}
-        under = any(isinstance(place, Turn) for place in below)
+        marked = {s.place for s in strokes if isinstance(s, Choice | Badge)}
+        under = any(isinstance(place, Turn) for place in marked)
         end = self._time + TURN + (CELL if under else 0.0)
         self._chips_at = end if self._turns else self._plan.bottom
-        self._lines = [self._chip(stroke) for stroke in strokes]
-        self._lines = [line for line in self._lines if line]
+        self._lines = below(strokes, setting, speaker, self._marks)
 
     @property
     def width(self) -> float:
@@ -202,7 +184,7 @@ class _Panel:
         yield from drawn
         yield from self._marked()
         for number, line in enumerate(self._lines):
-            yield from self._line(line, self._chips_at + (number + 0.7) * CHIP)
+            yield from draw_line(line, Point(MARGIN, self._chips_at + (number + 0.7) * CHIP))
 
     # ------------------------------------------------------------ places
 
@@ -298,7 +280,8 @@ class _Panel:
         return text(self._sign(stroke), middle, SIGN, halo=True)
 
     def _sign(self, stroke: Arrow) -> str:
-        amount = "" if stroke.amount is None else self._number(stroke.amount)
+        numeral = self._speaker.grammar.numeral
+        amount = "" if stroke.amount is None else numeral(stroke.amount)
         if stroke.sign is Sign.PLUS and amount.startswith(("-", "−")):
             return f"−{amount[1:]}"
         if stroke.sign is Sign.ADD_UP:
@@ -340,7 +323,7 @@ class _Panel:
             if not self._plan.has(cell):
                 continue
             at = self._plan.middle(cell)
-            away = CELL / 2 - 7
+            away = CELL / 2 - 3
             corners = [Point(at.x + x * away, at.y + y * away) for x, y in CORNERS]
             if token in self._marks.texts:
                 yield medal(self._marks.texts[token], corners.pop(0))
@@ -357,67 +340,6 @@ class _Panel:
                 yield element("circle", cx=at.x, cy=at.y, r=TURN - 5, **style)
             else:
                 yield text(str(number), at)
-
-    # ------------------------------------------------------------ lines below the board
-
-    def _chip(self, stroke: Stroke) -> list[Chip]:
-        """A line below the board: words, and the numbers of marks."""
-        match stroke:
-            case Tally(measure, about, tokens, comparison, number):
-                sign, amount = _COMPARED[comparison], self._number(number)
-                if measure is Measure.TOKENS:
-                    return [*self._set(tokens), sign, amount]
-                called = {Measure.SUM: "Σ", Measure.KINDS: "#"}[measure]
-                return [called, self._called(about), sign, amount]
-            case Balance(first, comparison, second):
-                return [*self._set(first), _COMPARED[comparison], *self._set(second)]
-            case Succession(sets, line) if sets:
-                last = "" if len(sets) == 1 else f"→ {len(sets)}"
-                return [Icon.TIME if line is Line.TIME else Icon.ROW, "1", last]
-            case Arrow(about=about) if about and self._names(about):
-                arrows = (one for one in self._strokes if isinstance(one, Arrow))
-                # Once, however many arrows there are.
-                is_first = next(one for one in arrows if one.about == about) is stroke
-                return [self._called(about)] if is_first else []
-            case Arrow() | Choice() | Selection() | Succession() | Badge() | Implication():
-                return []
-            case _:
-                assert_never(stroke)
-
-    def _names(self, about: str) -> bool:
-        """Whether it has to be said which attribute is meant."""
-        return len(self._setting.deck.scales) > 1 or about not in self._setting.deck.scales
-
-    def _set(self, tokens: tuple[TokenId, ...]) -> list[Chip]:
-        if not tokens:
-            return ["∅"]
-        if len(tokens) == self._setting.movable.bit_count():
-            return [Icon.ROW]
-        return [self._marks.of(tokens)]
-
-    def _called(self, about: str) -> str:
-        """Attributes and names as the reader calls them."""
-        names = [self._attribute(one) for one in about.split(", ")]
-        called = ", ".join(names)
-        return called if len(called) <= _LONGEST_NAME else f"{called[: _LONGEST_NAME - 1]}…"
-
-    def _attribute(self, name: str) -> str:
-        return self._speaker.attribute(name).noun or name
-
-    def _number(self, number: int | Decimal) -> str:
-        return self._speaker.grammar.numeral(number)
-
-    def _line(self, line: Sequence[Chip], y: float) -> Iterator[Markup]:
-        x = MARGIN
-        for part in line:
-            match part:
-                case int():
-                    yield mark(part, Point(x + 12, y))
-                case Icon():
-                    yield draw_icon(part, Point(x + 13, y))
-                case str():
-                    yield text(part, Point(x, y), start=True)
-            x += width_of([part])
 
 
 def _places(stroke: Stroke) -> tuple[Place, ...]:
