@@ -9,8 +9,8 @@ from maestra.coaching.assistance import ThisMove
 from maestra.coaching.commands import Expression, GestureName, Matter, MoveToken, View
 from maestra.coaching.events import Event
 from maestra.coaching.notes import Note
-from maestra.coaching.policies import Outcome
 from maestra.coaching.session import AskedMove, Ending, Judged, Phase, Step
+from maestra.coaching.situation import Outcome
 from maestra.coaching.turn import Turn
 from maestra.language.coach_keys import AskKey, CoachKey
 from maestra.language.phrases import Phrase, Place
@@ -202,7 +202,7 @@ def _veto(turn: Turn, event: Event, judged: Judged) -> None:
             wrong=1,
             vetoed=frozenset({move}),
         ),
-        situation=None,
+        consulted=False,
         judged=replace(judged, allowed=False),
         tally=replace(
             tally,

@@ -19,9 +19,10 @@ from maestra.coaching.chance import Chance
 from maestra.coaching.commands import Expression, GestureName, Matter, MoveToken, View
 from maestra.coaching.fields import MAX_LEVEL, Milliseconds
 from maestra.coaching.notes import Note
-from maestra.coaching.policies import Outcome, Situation, choose, learn
+from maestra.coaching.policies import choose, learn
 from maestra.coaching.session import AskedMove
 from maestra.coaching.settings import Persona
+from maestra.coaching.situation import Outcome, Situation
 from maestra.coaching.turn import Turn
 from maestra.language.coach_keys import AskKey, CoachKey
 from maestra.language.phrases import InRow, Joint, Phrase, Place
@@ -43,28 +44,26 @@ def consult(turn: Turn, why: str = POLICY) -> None:
     """Let the policy choose how much to help before the next attempt, and help."""
     session, settings = turn.session, turn.game.settings
     step = session.step
-    made, length = len(session.position.moves), turn.game.length
-    situation = Situation.at(made, max(length, made + 1), step.attempt, step.last)
+    left = max(turn.game.length - len(session.position.moves), 1)
+    situation = Situation(left, step.last, step.silent, step.standing)
     limits = turn.game.limits
-    level, chance = choose(session.policy, situation, limits, session.voice.chance)
-    turn.draw_with(chance)
+    level = choose(session.policy, situation, limits)
     if step.last is Outcome.WRONG:
         level = max(level, step.most)  # never less than what was not enough
-    waits = settings.persona is Persona.HUMAN_CENTRED and step.last is Outcome.SILENCE
-    if waits and step.silent == 1:
+    if limits.waits and step.last is Outcome.SILENCE and step.silent == 1:
         level = min(level, 1)
     if settings.errorless or step.attempt > settings.attempts:
         level = max(level, SHOWN_LEVEL)
-    turn.change(situation=situation)
+    turn.change(consulted=True)
     give(turn, limits.clamp(level), why)
 
 
 def learn_from(turn: Turn, outcome: Outcome) -> None:
     """Let the policy know what became of the attempt that it chose help for."""
     session = turn.session
-    if session.situation is not None:
-        policy = learn(session.policy, session.situation, session.step.level, outcome)
-        turn.change(policy=policy, situation=None)
+    if session.consulted:
+        policy = learn(session.policy, session.step.standing, outcome)
+        turn.change(policy=policy, consulted=False)
 
 
 def give(turn: Turn, level: int, why: str) -> None:
@@ -80,7 +79,12 @@ def give(turn: Turn, level: int, why: str) -> None:
     step, tally = session.step, session.tally
     helped = given > 0
     turn.change(
-        step=replace(step, level=given, most=max(step.most, given)),
+        step=replace(
+            step,
+            level=given,
+            most=max(step.most, given),
+            standing=given or step.standing,
+        ),
         tally=replace(tally, helps=tally.helps + helped, levels=tally.levels + given),
     )
     made = len(session.position.moves)

@@ -10,9 +10,9 @@ from maestra.coaching import helping, putting_back
 from maestra.coaching.commands import Expression, GestureName, Matter, View
 from maestra.coaching.events import SeveralTokens, TokenLifted, TokenPlaced, TokenPutBack
 from maestra.coaching.notes import Note
-from maestra.coaching.policies import Outcome
 from maestra.coaching.referee import Refused, Right
 from maestra.coaching.session import Ending, Judged, Phase, Step
+from maestra.coaching.situation import Outcome
 from maestra.coaching.table import Table
 from maestra.coaching.turn import Turn
 from maestra.core.board import Cell
@@ -84,7 +84,7 @@ def accept(turn: Turn, move: Move, by: str) -> None:
     turn.change(
         position=session.position.after(move),
         step=Step(),
-        situation=None,
+        consulted=False,
         asked_move=None,
         question=None,
         judged=Judged(move, allowed=True, own=own, first=first),

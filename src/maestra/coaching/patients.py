@@ -142,12 +142,18 @@ _PRAISE: Final = frozenset(
 
 
 def perceive(mind: Mind, commands: Iterable[Command], tried: Move | None) -> Mind:
-    """The mind after the coach did this; `tried` is the move that it answers, if any."""
+    """The mind after the coach did this; `tried` is the move that it answers, if any.
+
+    Cells that are looked or pointed at belong to what was said just before: with a hint they are
+    part of it, with a request to put back they are no hint.
+    """
+    said: CoachKey | None = None
     for command in commands:
         match command:
             case Say(key):
-                mind = _hear(mind, CoachKey(key), tried)
-            case LookAt(cells) | PointAt(cells) if cells:
+                said = CoachKey(key)
+                mind = _hear(mind, said, tried)
+            case LookAt(cells) | PointAt(cells) if cells and said in _HINTS:
                 mind = replace(mind, heard=replace(mind.heard, cells=cells))
             case _:
                 pass

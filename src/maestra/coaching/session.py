@@ -9,9 +9,10 @@ from typing import Final
 from maestra.coaching.chance import Chance
 from maestra.coaching.commands import Matter
 from maestra.coaching.fields import Milliseconds
-from maestra.coaching.policies import Limits, Outcome, Policy, Situation, policy_for, rested
+from maestra.coaching.policies import Policy, policy_for, rested
 from maestra.coaching.referee import Referee
-from maestra.coaching.settings import Helper, Settings
+from maestra.coaching.settings import Helper, Persona, Settings
+from maestra.coaching.situation import Limits, Outcome
 from maestra.coaching.table import Table
 from maestra.coaching.voice import Voice
 from maestra.core.state import Move, State
@@ -52,7 +53,9 @@ class Game:
     @property
     def limits(self) -> Limits:
         """How much the caregiver lets the robot help."""
-        return Limits(self.settings.least_level, self.settings.most_level)
+        settings = self.settings
+        waits = settings.persona is Persona.HUMAN_CENTRED
+        return Limits(settings.least_level, settings.most_level, waits)
 
     @property
     def length(self) -> int:
@@ -72,6 +75,8 @@ class Step:
     """The last level that was helped with."""
     most: int = 0
     """The highest."""
+    standing: int = 0
+    """The last one above 0: level 0 after a silence lets stand what was said."""
     wrong: int = 0
     silent: int = 0
     vetoed: frozenset[Move] = frozenset()
@@ -144,8 +149,8 @@ class Session:
     """Whether the board answers."""
     now: Milliseconds = BEGINNING
     step: Step = Step()
-    situation: Situation | None = None
-    """In which the policy chose last, until it is told the outcome."""
+    consulted: bool = False
+    """Whether the policy chose help for this attempt and waits for the outcome."""
     prompt_at: Milliseconds | None = None
     """When silence becomes a prompt."""
     waiting: Waiting | None = None

@@ -28,7 +28,7 @@ from maestra.coaching.commands import (
 from maestra.coaching.events import Event
 from maestra.coaching.fields import Milliseconds
 from maestra.coaching.notes import Note
-from maestra.coaching.policies import Policy, Situation
+from maestra.coaching.policies import Policy
 from maestra.coaching.session import (
     AskedMove,
     Ending,
@@ -61,7 +61,7 @@ class Changes(TypedDict, total=False):
     phase: Phase
     connected: bool
     step: Step
-    situation: Situation | None
+    consulted: bool
     prompt_at: Milliseconds | None
     waiting: Waiting | None
     asked_move: AskedMove | None

@@ -1,0 +1,194 @@
+"""The least help with which a session is completed about as often as with the most.
+
+The rest of a session is taken for a Markov decision process with a finite horizon: so many moves
+to go, so much strain, the help that stands. An attempt is right, wrong, or does not come
+(`Odds`). A right one brings the next move and relieves; the others strain, and who is strained
+too much gives up. Backward induction [1] solves the process for a *price* of help, the share of a
+completed session that one level costs. Of `PRICES` the highest is taken at which the plan is
+reckoned to complete at most `spare` less often than help at the most: the Lagrangian way to the
+least cost under a constraint [2].
+
+What the coach does anyway is part of the process: a human-centred robot no more than encourages
+after a first silence. After a silence level 0 lets stand what was said before; a token that was
+shown is still the one to take. Nobody knows how much strain a patient bears: any amount from
+`LEAST_BORNE` to `MOST_BORNE` is as likely to be too much.
+
+Simplified: the price is one of a list, and no two plans are mixed, which would meet the
+constraint exactly, so a little more help is given than is necessary; who has borne much strain
+before runs the same risk again; that the coach shows the token after so many attempts, and helps
+no less after an error, is left out.
+
+Cost: a plan has `MOST_AHEAD` x `MOST_BORNE` x 12 states; six are made for a choice, in some
+milliseconds.
+
+[1] Mansour, Reinforcement Learning, lecture 4: finite horizon, constructing an optimal policy.
+[2] Altman, Constrained Markov Decision Processes, INRIA 1995: the Lagrangian approach.
+"""
+
+from __future__ import annotations
+
+from bisect import bisect_left
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Final, TypeAlias
+
+from maestra.coaching.fields import MAX_LEVEL
+from maestra.coaching.situation import STRAIN, Limits, Outcome, Situation
+
+LEAST_BORNE: Final = 4
+"""Strain below which nobody gives up: two errors."""
+MOST_BORNE: Final = 16
+"""Strain at which everybody gives up: eight errors."""
+MOST_AHEAD: Final = 8
+"""Moves that are planned; a longer exercise is planned as if it had no more to go."""
+PRICES: Final = tuple(2.0 ** (-half / 2) for half in range(4, 24))
+"""Of one level of help, in completed sessions: a quarter, then each 0.7 of the one before."""
+
+_RELIEF: Final = -STRAIN[Outcome.RIGHT]
+_WEAR: Final = STRAIN[Outcome.WRONG]
+_LEVELS: Final = range(MAX_LEVEL + 1)
+_BORNE: Final = tuple(
+    min(1.0, max(0.0, (MOST_BORNE - strain) / (MOST_BORNE - LEAST_BORNE + 1)))
+    for strain in range(MOST_BORNE + _WEAR)
+)
+"""By strain: the share of patients who bear it."""
+
+
+@dataclass(frozen=True, slots=True)
+class Odds:
+    """What is believed of the next attempt."""
+
+    right: tuple[float, ...]
+    """How likely it is right if there is one, by the level of the help that stands."""
+    silent: float
+    """How likely there is none."""
+
+
+Worth: TypeAlias = tuple[float, float]
+"""Of a state: how likely completing is, less the price of the help to come; and without it."""
+_COMPLETE: Final[Worth] = (1.0, 1.0)
+_GIVEN_UP: Final[Worth] = (0.0, 0.0)
+
+
+@dataclass(frozen=True, slots=True)
+class _Menu:
+    """The levels that may be chosen."""
+
+    usual: range
+    after_silence: range
+    """After a first one at a move."""
+
+
+@dataclass(frozen=True, slots=True)
+class _Layer:
+    """The states with the same moves to go, by strain."""
+
+    fresh: tuple[Worth, ...]
+    """Before the first help at a move."""
+    helped: tuple[tuple[Worth, ...], ...]
+    """No silence yet at this move: by the help that stands; its price is paid."""
+    helped_again: tuple[tuple[Worth, ...], ...]
+    """After a silence."""
+
+
+_END: Final = _Layer((_COMPLETE,) * MOST_BORNE, (), ())
+
+
+def least_help(odds: Odds, situation: Situation, strain: int, limits: Limits, spare: float) -> int:
+    """The level to help with now.
+
+    Args:
+        odds: what is believed of the patient.
+        situation: where the session is.
+        strain: in halves of an error.
+        limits: the levels that may be chosen.
+        spare: the share of all sessions that may be given up beyond those that are in any case.
+    """
+    menu = _Menu(limits.levels, limits.after_silence)
+    most, quiet = limits.most, limits.after_silence[-1]
+    at_most = _Menu(range(most, most + 1), range(quiet, quiet + 1))
+    enough = _choose(odds, situation, strain, at_most, 0.0)[1] - spare
+    index = bisect_left(
+        PRICES,
+        x=True,
+        hi=len(PRICES) - 1,
+        key=lambda price: _choose(odds, situation, strain, menu, price)[1] >= enough,
+    )
+    return _choose(odds, situation, strain, menu, PRICES[index])[0]
+
+
+def _choose(
+    odds: Odds, situation: Situation, strain: int, menu: _Menu, price: float
+) -> tuple[int, float]:
+    """The best level now at this price, and how likely completing is from here."""
+    layer = _END
+    for _ in range(min(situation.left, MOST_AHEAD)):
+        layer = _layer(odds, layer, menu, price)
+    levels, standing = menu.usual, 0
+    if situation.last is Outcome.SILENCE:
+        levels = menu.after_silence if situation.silences == 1 else menu.usual
+        standing = situation.standing
+    by_strain = layer.helped_again if situation.silences else layer.helped
+    helped = by_strain[min(strain, MOST_BORNE - 1)]
+    level = max(levels, key=lambda one: (helped[one or standing][0] - price * one, -one))
+    return level, helped[level or standing][1]
+
+
+def _layer(odds: Odds, after: _Layer, menu: _Menu, price: float) -> _Layer:
+    """The states with one move more to go than `after`, the most strained first."""
+    nowhere = [_GIVEN_UP] * (MOST_BORNE + _WEAR)
+    fresh, again = [*nowhere], [*nowhere]
+    first = [(_GIVEN_UP,) * len(_LEVELS)] * (MOST_BORNE + _WEAR)
+    later, helped, helped_again = [*first], [*first], [*first]
+    for strain in range(MOST_BORNE - 1, -1, -1):
+        right = after.fresh[max(0, strain - _RELIEF)]
+        missed, silent = strain + _WEAR, strain + 1
+        bears_missed = _BORNE[missed] / _BORNE[strain]
+        bears_silent = odds.silent * _BORNE[silent] / _BORNE[strain]
+        helped_again[strain] = _attempted(
+            odds, right, again[missed], bears_missed, later[silent], bears_silent
+        )
+        helped[strain] = _attempted(
+            odds, right, fresh[missed], bears_missed, first[silent], bears_silent
+        )
+        again[strain] = _best(helped_again[strain], menu.usual, price)
+        fresh[strain] = _best(helped[strain], menu.usual, price)
+        first[strain] = _after_silence(helped_again[strain], menu.after_silence, price)
+        later[strain] = _after_silence(helped_again[strain], menu.usual, price)
+    return _Layer(tuple(fresh), tuple(helped), tuple(helped_again))
+
+
+def _attempted(
+    odds: Odds,
+    right: Worth,
+    wrong: Worth,
+    bears_wrong: float,
+    silent: Sequence[Worth],
+    silence: float,
+) -> tuple[Worth, ...]:
+    """With the help of each level standing: what the next attempt is worth."""
+    answered = 1 - odds.silent
+    worths: list[Worth] = []
+    for share, none in zip(odds.right, silent, strict=True):
+        good, bad = answered * share, answered * (1 - share) * bears_wrong
+        worths.append(
+            (
+                good * right[0] + bad * wrong[0] + silence * none[0],
+                good * right[1] + bad * wrong[1] + silence * none[1],
+            )
+        )
+    return tuple(worths)
+
+
+def _best(helped: Sequence[Worth], levels: Sequence[int], price: float) -> Worth:
+    return max((helped[level][0] - price * level, helped[level][1]) for level in levels)
+
+
+def _after_silence(helped: Sequence[Worth], levels: range, price: float) -> tuple[Worth, ...]:
+    """By the help that stands: it may be left so, if level 0 is allowed, or more be said."""
+    if 0 not in levels:
+        return (_best(helped, levels, price),) * len(helped)
+    if len(levels) == 1:
+        return tuple(helped)
+    said = _best(helped, levels[1:], price)
+    return tuple(max(kept, said) for kept in helped)
