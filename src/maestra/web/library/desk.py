@@ -5,7 +5,6 @@ from __future__ import annotations
 from dataclasses import dataclass
 from http import HTTPStatus
 from typing import Annotated
-from urllib.parse import urlencode
 
 from fastapi import Depends, HTTPException
 from fastapi.responses import HTMLResponse
@@ -94,7 +93,6 @@ class Desk:
             "versions": self.versions(wanted),
             "drawn": rule_names(self.text(item)),
             "is_removed": item.name in Shelf(self.context.store).removed(),
-            "teach_on": urlencode({"from": item.name}),
             "typed": item.title,
             "fault": "",
             "no_pddl": (),

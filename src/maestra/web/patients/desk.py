@@ -9,11 +9,12 @@ from fastapi import Depends
 from fastapi.responses import HTMLResponse, RedirectResponse
 
 from maestra.coaching.ports import PatientId, StoredSession
-from maestra.storage.shelf import Shelf
+from maestra.language import Language
 from maestra.web.access.audit import Act, audit
 from maestra.web.access.guard import Accompanying
 from maestra.web.access.visitor import Visitor
 from maestra.web.context import Context, Here
+from maestra.web.library.collection import titles as titles_of
 from maestra.web.pages import Page, Pages
 from maestra.web.patients.addresses import segment_of
 from maestra.web.patients.care import Care
@@ -82,10 +83,9 @@ AtDesk = Annotated[Desk, Depends(_desk)]
 """Of a patient whom the visitor cares for."""
 
 
-def titles(context: Context) -> dict[str, str]:
+def titles(context: Context, language: Language = Language.EN) -> dict[str, str]:
     """The exercises of the library by name, each with what people call it, in that order."""
-    titled = Shelf(context.store).titles()
-    found = {one.name: titled.get(one.name, one.name) for one in context.store.exercises()}
+    found = titles_of(context.store, language)
     return dict(sorted(found.items(), key=lambda pair: pair[1].casefold()))
 
 

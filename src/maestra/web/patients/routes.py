@@ -231,7 +231,8 @@ def _patient(
         typed_name=desk.name if name is None else name,
         name_fault=fault,
         exercises=[
-            (one, title, one in plan.exercises) for one, title in titles(desk.context).items()
+            (one, title, one in plan.exercises)
+            for one, title in titles(desk.context, desk.pages.language).items()
         ],
         summary=[
             (setting_name(one, desk.pages.language), fields.words_of(one, value, desk.pages))

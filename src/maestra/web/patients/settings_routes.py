@@ -112,7 +112,7 @@ def preview(
     typed = {**fields.typed_of(now), **(plan.draft or {})}
     meant = fields.settings_of(typed, now, desk.pages)
     tried = meant if isinstance(meant, Settings) else now
-    known = titles(desk.context)
+    known = titles(desk.context, desk.pages.language)
     examples = [one for one in known if one in plan.exercises] or list(known)
     chosen = exercise if exercise in examples else next(iter(examples), "")
     return desk.page(

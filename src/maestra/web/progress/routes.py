@@ -58,7 +58,7 @@ class Reader:
 
     def titles(self) -> dict[str, str]:
         """What exercises are called; those that are gone by their name."""
-        return titles(self.context)
+        return titles(self.context, self.pages.language)
 
     def page(self, template: str, **parts: object) -> HTMLResponse:
         """A page that also has `patient`, `name`, `at` and `segment`."""

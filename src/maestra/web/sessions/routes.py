@@ -16,6 +16,7 @@ from maestra.coaching.recording import Start
 from maestra.coaching.session import Ending
 from maestra.core.faults import InvalidError
 from maestra.core.tokens import TokenId
+from maestra.language import Language
 from maestra.web.access.devices import DeviceKind
 from maestra.web.access.guard import Accompanying
 from maestra.web.access.ownership import demand_patient, patients_of, sees_patient
@@ -67,7 +68,7 @@ class Row:
 @router.get("/sessions")
 def sessions(visitor: Accompanying, context: Here, rooms: RoomsHere, pages: Page) -> HTMLResponse:
     """Those under way, and those past."""
-    titled = titles(context)
+    titled = titles(context, pages.language)
     mine = [
         room
         for room in rooms.all()
@@ -185,7 +186,7 @@ def _new(
 ) -> HTMLResponse:
     known = {segment_of(one): one for one in patients_of(context, visitor)}
     whose = known.get(chosen["patient"])
-    titled = titles(context)
+    titled = titles(context, pages.language)
     assigned = () if whose is None else Care(context.store).plan(whose).exercises
     page = pages.page(
         "sessions/new.html",
@@ -224,7 +225,7 @@ def watch(visitor: Accompanying, room: Entered, context: Here, pages: Page) -> H
     return pages.page(
         "sessions/watch.html",
         visitor,
-        **_heading(context, stored),
+        **_heading(context, stored, pages.language),
         room=room.name,
         state=room.state,
         live=_live(room),
@@ -263,8 +264,8 @@ def _live(room: Room) -> Live:
     return Live(room.session, room.state.question)
 
 
-def _heading(context: Context, stored: StoredSession) -> dict[str, object]:
-    titled = titles(context)
+def _heading(context: Context, stored: StoredSession, language: Language) -> dict[str, object]:
+    titled = titles(context, language)
     return {
         "patient": stored.patient,
         "name": name_of(context, stored.patient),
