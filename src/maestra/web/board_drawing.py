@@ -19,7 +19,7 @@ from maestra.web.token_view import TokenView
 
 CELL: Final = 56.0
 GAP: Final = 6.0
-MARGIN: Final = 10.0
+MARGIN: Final = 12.0
 PITCH: Final = CELL + GAP
 MOST_COLUMNS: Final = 12
 MOST_ROWS: Final = 8
