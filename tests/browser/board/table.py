@@ -143,6 +143,12 @@ class Table:
     heard: set[str] = field(default_factory=set[str])
     answers: bool = True
     """Whether events are acknowledged."""
+    refuses: bool = False
+    """Whether events are refused as faults."""
+    opened: int = 0
+    """How often a page of the room was asked for."""
+    connected: int = 0
+    """How often a page began to follow the stream."""
     sockets: list[tuple[asyncio.AbstractEventLoop, WebSocket]] = field(
         default_factory=list[tuple[asyncio.AbstractEventLoop, WebSocket]]
     )
@@ -161,14 +167,15 @@ class Table:
     def message(self) -> dict[str, Any]:
         """The state as the stream carries it."""
         self.sequence += 1
-        tokens = tokens_by_id(DECK, BOARD, self.language)
+        board = self.state.board
+        tokens = tokens_by_id(DECK, board, self.language)
         return {
             "type": "state",
             "sequence": self.sequence,
             "session": "one",
             "phase": "playing",
             "connected": True,
-            "board": {"rows": 4, "columns": 5, "goal_row": 1},
+            "board": {"rows": board.rows, "columns": board.columns, "goal_row": 1},
             "cells": {t: [c.row, c.column] for t, c in self.state.cells.items()},
             "held": [] if self.held is None else [self.held],
             "tokens": {token: view.as_json() for token, view in tokens.items()},
@@ -187,10 +194,10 @@ class Table:
         for loop, socket in self.sockets:
             asyncio.run_coroutine_threadsafe(socket.send_text(text), loop).result(10)
 
-    def cut(self) -> None:
-        """Close every connection as a broken network would."""
+    def cut(self, code: int = 1011) -> None:
+        """Close every connection: as a broken network would, or as the server says."""
         for loop, socket in list(self.sockets):
-            asyncio.run_coroutine_threadsafe(socket.close(1011), loop).result(10)
+            asyncio.run_coroutine_threadsafe(socket.close(code), loop).result(10)
 
     def happened(self, event: dict[str, Any]) -> None:
         """An event of the page."""
@@ -230,7 +237,9 @@ class _Site:
             localised=Format(language.value),
             visitor=None,
             table=table,
-            view=board_view(BOARD, DECK, table.state.cells, held=table.held, language=language),
+            view=board_view(
+                table.state.board, DECK, table.state.cells, held=table.held, language=language
+            ),
             **parts,
         )
         return HTMLResponse(text, status)
@@ -248,9 +257,8 @@ class _Site:
         )
 
 
-def table_app(table: Table) -> FastAPI:  # noqa: C901 - its routes
-    """The app over `table`."""
-    app, site = FastAPI(), _Site(table)
+def _add_forms(app: FastAPI, site: _Site) -> None:
+    table = site.table
 
     @app.get("/")
     def read(request: Request) -> Response:
@@ -291,8 +299,13 @@ def table_app(table: Table) -> FastAPI:  # noqa: C901 - its routes
     def elsewhere(request: Request) -> Response:
         return site.page(request, "elsewhere.html")
 
+
+def _add_stream(app: FastAPI, site: _Site) -> None:
+    table = site.table
+
     @app.get("/watched")
     def watched(request: Request) -> Response:
+        table.opened += 1
         return site.page(request, "stream.html", said="")
 
     @app.websocket("/stream")
@@ -300,11 +313,16 @@ def table_app(table: Table) -> FastAPI:  # noqa: C901 - its routes
         await socket.accept()
         mine = (asyncio.get_running_loop(), socket)
         table.sockets.append(mine)
+        table.connected += 1
         await socket.send_text(json.dumps(table.message()))
         try:
             while True:
                 message = json.loads(await socket.receive_text())
                 if not table.answers:
+                    continue
+                if table.refuses:
+                    fault: dict[str, Any] = {"type": "fault", "id": message["id"], "faults": []}
+                    await socket.send_text(json.dumps(fault))
                     continue
                 if message["id"] not in table.heard:
                     table.heard.add(message["id"])
@@ -318,6 +336,12 @@ def table_app(table: Table) -> FastAPI:  # noqa: C901 - its routes
         finally:
             table.sockets.remove(mine)
 
+
+def table_app(table: Table) -> FastAPI:
+    """The app over `table`."""
+    app, site = FastAPI(), _Site(table)
+    _add_forms(app, site)
+    _add_stream(app, site)
     app.include_router(language_choice.router)
     app.mount("/static", StaticFiles(directory=str(files("maestra.web") / "static")), "static")
     app.add_middleware(SecurityHeaders, over_tls=False)

@@ -7,10 +7,11 @@ from typing import Final
 import pytest
 from playwright.sync_api import CDPSession, expect
 
-from maestra.core.board import Cell
+from maestra.core.board import Board, Cell
+from maestra.core.state import State
 from maestra.core.tokens import TokenId
 from tests.browser.board.conftest import Seat, TakeSeat
-from tests.browser.board.table import BOARD, START, Table
+from tests.browser.board.table import BOARD, DECK, START, Table
 
 SCAN_MS: Final = 800
 """Long enough for a test on a busy computer to press in time."""
@@ -300,6 +301,54 @@ def test_a_touch_that_the_system_takes_away_puts_the_token_back(
     expect(seat.cell(1, 1).locator(".token")).to_have_count(1)
     seat.until(lambda: bool(table.moves))
     assert [move.token for move in table.moves] == ["n23"]
+
+
+def test_a_press_of_a_screen_reader_counts_though_no_finger_was_seen(
+    sit: TakeSeat, table: Table
+) -> None:
+    seat = sit()
+    for cell in ("2,1", "1,4"):
+        seat.page.evaluate(
+            """value => document.querySelector(`.cell[value="${value}"]`).dispatchEvent(
+                new MouseEvent("click", {bubbles: true, cancelable: true, detail: 1}))""",
+            cell,
+        )
+    expect(seat.cell(1, 4).locator(".token")).to_have_count(1)
+    seat.until(lambda: [move.token for move in table.moves] == ["n19"])
+
+
+def test_escape_ends_a_drag(sit: TakeSeat, table: Table) -> None:
+    seat = sit()
+    mouse = seat.page.mouse
+    mouse.move(*seat.middle(2, 1))
+    mouse.down()
+    mouse.move(*seat.middle(1, 1), steps=3)
+    seat.page.keyboard.press("Escape")
+    expect(seat.page.locator(".carried")).to_have_count(0)
+    mouse.up()
+    seat.page.wait_for_timeout(300)
+    assert seat.lies_on("n19") == "2,1"
+    assert table.presses == []
+
+
+def test_a_board_wider_than_the_screen_comes_along_with_the_token(
+    sit: TakeSeat, table: Table
+) -> None:
+    wide = Board(2, 12)
+    cells = zip(DECK.by_id, wide.storage_cells, strict=False)
+    table.state = State(wide, dict(cells))
+    seat = sit(size=(360, 740))
+    expect(seat.cell(1, 12)).not_to_be_in_viewport()
+    mouse = seat.page.mouse
+    x, y = seat.middle(2, 1)
+    mouse.move(x, y)
+    mouse.down()
+    mouse.move(345, y, steps=3)
+    expect(seat.cell(1, 12)).to_be_in_viewport(ratio=0.9)
+    mouse.move(*seat.middle(1, 12), steps=3)
+    mouse.up()
+    seat.until(lambda: [move.destination.column for move in table.moves] == [12])
+    assert seat.page.evaluate("document.documentElement.scrollWidth") == 360
 
 
 def test_escape_puts_down_what_was_taken_up(sit: TakeSeat, table: Table) -> None:

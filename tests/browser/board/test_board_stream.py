@@ -3,7 +3,7 @@
 import re
 from typing import Any
 
-from playwright.sync_api import expect
+from playwright.sync_api import WebSocketRoute, expect
 
 from maestra.core.board import Board, Cell, Column, Row
 from maestra.core.state import Move, State
@@ -212,3 +212,60 @@ def test_tokens_that_left_the_board_are_gone(sit: TakeSeat, table: Table) -> Non
     table.tell()
     expect(seat.page.locator("[data-board] .token")).to_have_count(1)
     expect(seat.cell(2, 2)).to_have_attribute("aria-label", re.compile("empty"))
+
+
+def test_what_the_server_refuses_is_taken_back(sit: TakeSeat, table: Table) -> None:
+    seat = sit("/watched")
+    connected(seat, table)
+    table.refuses = True
+    seat.cell(2, 1).click()
+    seat.cell(1, 1).click()
+    expect(seat.cell(2, 1).locator(".token")).to_have_count(1)
+    expect(seat.page.locator("[data-held]")).to_have_count(0)
+    assert table.told == []
+
+
+def test_a_connection_that_is_silent_for_long_is_made_anew(sit: TakeSeat, table: Table) -> None:
+    seat = sit("/elsewhere")
+    seat.page.clock.install()
+    seat.page.goto("/watched")
+    connected(seat, table)
+    seat.page.clock.run_for(25_000)
+    assert table.connected == 1
+    seat.page.clock.run_for(10_000)
+    seat.until(lambda: table.connected == 2)
+
+
+def test_when_there_is_nothing_more_to_follow_the_page_is_asked_for_again(
+    sit: TakeSeat, table: Table
+) -> None:
+    seat = sit("/watched")
+    connected(seat, table)
+    seat.page.evaluate("window.marked = true")
+    table.cut(4404)
+    seat.until(lambda: table.opened == 2)
+    assert seat.page.evaluate("window.marked") is True
+
+
+def test_attempts_to_come_back_wait_longer_and_longer(sit: TakeSeat, table: Table) -> None:
+    seat = sit("/elsewhere")
+    seat.page.clock.install()
+    tried: list[int] = []
+
+    def refuse(route: WebSocketRoute) -> None:
+        tried.append(1)
+        route.close()
+
+    seat.page.route_web_socket(re.compile("/stream$"), refuse)
+    seat.page.goto("/watched")
+    seat.until(lambda: len(tried) == 1)
+    counts: list[int] = []
+    for _ in range(4):
+        before = len(tried)
+        seat.page.clock.run_for(5_000)
+        seat.page.wait_for_timeout(50)
+        counts.append(len(tried) - before)
+    # 0.25, 0.5, 1, 2 s make four or five in the first five seconds; then one each.
+    assert counts[-1] <= 2
+    assert sum(counts) >= 4
+    assert table.connected == 0
