@@ -90,6 +90,7 @@ examples: setup ## write the files in examples/
 bench: setup ## measure speed
 	$(BIN)/python -m pytest benchmarks --benchmark-enable --benchmark-only -p no:randomly --timeout=0
 	$(BIN)/maestra experiment growth --repeat 3
+	$(BIN)/python benchmarks/rooms.py
 
 FEWSHOT_EXERCISES ?= 500
 FEWSHOT_DRAWS ?= 100
@@ -138,6 +139,10 @@ mutation: nightly-setup ## which small changes of the code does no test notice?
 crashes: setup ## kill, cut power and spoil disks below the record, far oftener than `make test`
 	MAESTRA_KILLS=120 MAESTRA_POWER_CUTS=2000 $(BIN)/python -m pytest -s -p no:randomly --timeout=0 \
 		tests/storage/test_killing.py tests/storage/test_faulty_disk.py
+
+.PHONY: reconnect
+reconnect: setup ## cut patients' pages off for up to a minute, and see that nothing is lost
+	MAESTRA_CUTS_S="0.5 2 8 60" $(BIN)/python -m pytest -p no:randomly --timeout=0 tests/browser/rooms
 
 .PHONY: oracle
 oracle: nightly-setup ## compare with learners that are not ours
