@@ -11,7 +11,7 @@ from fastapi import FastAPI
 from maestra import __version__
 from maestra.robots.phrases import Phrases
 from maestra.web import help as help_pages
-from maestra.web import home, language_choice, patients, problems, progress, sessions, teach
+from maestra.web import home, language_choice, problems, teach
 from maestra.web.access import routers as access
 from maestra.web.access.gate import Gate
 from maestra.web.assets import assets
@@ -19,9 +19,12 @@ from maestra.web.context import Context
 from maestra.web.headers import SecurityHeaders
 from maestra.web.library import api as library_api
 from maestra.web.library import routes as library_pages
+from maestra.web.patients import routers as patients
+from maestra.web.progress import routers as progress
 from maestra.web.rooms import patient_page, stream
 from maestra.web.rooms import routes as room_routes
 from maestra.web.rooms.rooms import Rooms
+from maestra.web.sessions import routers as sessions
 
 ROUTERS: Final = (
     home.router,
@@ -58,7 +61,7 @@ def create_app(context: Context) -> FastAPI:
         docs_url=None,
         redoc_url=None,
         openapi_url="/api/openapi.json",
-        responses=problems.problems(401, 403, 404, 413, 422, 429),
+        responses=problems.problems(400, 401, 403, 404, 413, 422, 429),
     )
     app.state.context = context
     app.state.rooms = rooms

@@ -29,7 +29,14 @@ from maestra.web.progress.curves import Curve, curve, endings
 from maestra.web.progress.exporting import Form
 from maestra.web.progress.figures import figures
 from maestra.web.progress.replaying import Moment, Recorded, recorded
-from maestra.web.progress.words import clock_words, event_words, verdict_words, why_words
+from maestra.web.progress.words import (
+    clock_words,
+    event_words,
+    judged_words,
+    verdict_words,
+    why_words,
+)
+from maestra.web.sessions.evidence import said_in
 
 A_PAGE: Final = 20
 """Sessions in the table of a page: its weight has a limit, and so has patience."""
@@ -80,6 +87,7 @@ def _reader(visitor: Following, patient: Followed, context: Here, pages: Page) -
     return Reader(visitor, patient, context, pages)
 
 
+SessionSegment = Annotated[str, Path(max_length=MOST_IN_ADDRESS)]
 AtReader = Annotated[Reader, Depends(_reader)]
 """Of a patient whose progress the visitor may see."""
 
@@ -249,7 +257,7 @@ def _recent(reader: Reader, titled: dict[str, str]) -> list[tuple[datetime, str,
 @router.get("/progress/{pseudonym}/sessions/{session}")
 def replay(
     reader: AtReader,
-    session: Annotated[str, Path(max_length=MOST_IN_ADDRESS)],
+    session: SessionSegment,
     at: Annotated[int, Query(ge=0, le=1_000_000)] = 0,
 ) -> HTMLResponse:
     """A session moment by moment: the board as it was, what was said, and why."""
@@ -282,12 +290,22 @@ def replay(
         verdict=verdict_words(moment, pages),
         why=why_words(moment, pages),
         language_said=start.settings.language.value,
+        judged=_judged(reader, stored),
         line=_time_line(whole, moment),
         notable=[
             (one.number, clock_words(one.at), _mark(one), event_words(one.event, names, pages))
             for one in _around(whole.notable, moment.number)
         ],
     )
+
+
+def _judged(reader: Reader, stored: StoredSession) -> list[str]:
+    """What was judged otherwise, if the reader may take it back to the exercise."""
+    visitor = reader.visitor
+    if not (visitor.may(Right.ACCOMPANY) and visitor.may(Right.TEACH)) or not stored.ended_utc:
+        return []
+    entries = reader.context.store.events.entries(stored.session)
+    return judged_words(said_in(entries), reader.pages)
 
 
 def session_of(reader: Reader, segment: str) -> tuple[StoredSession, Recorded]:

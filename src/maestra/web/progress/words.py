@@ -10,8 +10,10 @@ from maestra.coaching.events import Event
 from maestra.coaching.fields import Milliseconds
 from maestra.core.tokens import TokenId
 from maestra.rules.answers import Reply
+from maestra.web.board_view import tokens_by_id
 from maestra.web.pages import Pages
 from maestra.web.progress.replaying import Moment, Why
+from maestra.web.sessions.evidence import Said
 
 
 def clock_words(at: Milliseconds) -> str:
@@ -123,6 +125,27 @@ def verdict_words(moment: Moment, pages: Pages) -> str:
     if "returned" in kinds:
         return pages.say("The token lay where it belongs again.")
     return ""
+
+
+def judged_words(said: Said | None, pages: Pages) -> list[str]:
+    """Each move that the caregiver judged otherwise, in a sentence."""
+    if said is None:
+        return []
+    board, deck = said.start.state.board, said.start.deck
+    views = tokens_by_id(deck, board, pages.language)
+    sentences = {
+        True: "Token {token} on row {row}, column {column}: you said that was right.",
+        False: "Token {token} on row {row}, column {column}: you said that was wrong.",
+    }
+    return [
+        pages.say(
+            sentences[one.allowed],
+            token=views[one.move.token].name,
+            row=one.move.destination.row,
+            column=one.move.destination.column,
+        )
+        for one in said.overrides
+    ]
 
 
 def _answer_words(reply: Reply, pages: Pages) -> str:

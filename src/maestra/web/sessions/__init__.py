@@ -1,5 +1,1 @@
 """Sessions: begun, watched, steered, ended."""
-
-from maestra.web.sessions import routes
-
-ROUTERS = (routes.router,)

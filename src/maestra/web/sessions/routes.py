@@ -18,8 +18,9 @@ from maestra.core.faults import InvalidError
 from maestra.core.tokens import TokenId
 from maestra.language import Language
 from maestra.web.access.devices import DeviceKind
-from maestra.web.access.guard import Accompanying
+from maestra.web.access.guard import Accompanying, Teaching
 from maestra.web.access.ownership import demand_patient, patients_of, sees_patient
+from maestra.web.access.visitor import Right, Visitor
 from maestra.web.board_view import board_view, tokens_by_id
 from maestra.web.context import Context, Here
 from maestra.web.pages import Page, Pages
@@ -27,10 +28,16 @@ from maestra.web.patients.addresses import segment_of
 from maestra.web.patients.care import Care
 from maestra.web.patients.desk import UNPROCESSABLE, name_of, titles
 from maestra.web.patients.fields import LEVEL_WORDS
-from maestra.web.patients.whose import Filled, only
+from maestra.web.patients.whose import CaredFor, Filled, only
 from maestra.web.progress.replaying import Moment, recorded
-from maestra.web.progress.routes import local
-from maestra.web.progress.words import clock_words, event_words, verdict_words, why_words
+from maestra.web.progress.routes import SessionSegment, local, stored_session
+from maestra.web.progress.words import (
+    clock_words,
+    event_words,
+    judged_words,
+    verdict_words,
+    why_words,
+)
 from maestra.web.rooms.guests import GuestHere
 from maestra.web.rooms.messages import Told
 from maestra.web.rooms.patient_page import Pressing, let_happen
@@ -38,7 +45,11 @@ from maestra.web.rooms.room import Room
 from maestra.web.rooms.rooms import NoRoomLeftError, Rooms, RoomsHere, TakenError
 from maestra.web.rooms.stage import RoomName
 from maestra.web.rooms.telling import Entered, tell
+from maestra.web.sessions.evidence import draft_of, said_in
 from maestra.web.sessions.live import Live, wish
+from maestra.web.teach.actions import CannotError
+from maestra.web.teach.bench import path_of
+from maestra.web.teach.desk import Desk
 
 MOST_PAST: Final = 30
 """Sessions that have ended, in the list; older ones are found under progress."""
@@ -235,8 +246,35 @@ def watch(visitor: Accompanying, room: Entered, context: Here, pages: Page) -> H
         board=_board(room, start, pages),
         stream=f"/api/rooms/{room.name}/stream",
         **_lately(context, stored, start, pages),
+        judged=_judged_in(visitor, room, context, pages),
         last_move=_last_move(room, start, pages),
     )
+
+
+def _judged_in(visitor: Visitor, room: Room, context: Context, pages: Pages) -> list[str]:
+    """What can go back to the exercise once the session has ended."""
+    stored = room.stored
+    if stored is None or room.state.is_under_way or not visitor.may(Right.TEACH):
+        return []
+    return judged_words(said_in(context.store.events.entries(stored.session)), pages)
+
+
+@router.post("/progress/{pseudonym}/sessions/{session}/teach")
+def take_back(
+    visitor: Teaching, patient: CaredFor, session: SessionSegment, context: Here
+) -> RedirectResponse:
+    """Begin a draft of the exercise with what was judged otherwise in the session."""
+    stored = stored_session(context, patient, session)
+    said = said_in(context.store.events.entries(stored.session))
+    if said is None:
+        raise HTTPException(404, "nothing was judged otherwise")
+    try:
+        kept = Desk(context, visitor).add(draft_of(context, stored, said))
+    except KeyError:
+        raise HTTPException(404, "no such exercise") from None
+    except CannotError as error:
+        return RedirectResponse(f"/teach?why={error.why.value}", 303)
+    return RedirectResponse(path_of(kept.id), 303)
 
 
 @router.post("/sessions/{name}")
