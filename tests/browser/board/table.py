@@ -164,6 +164,18 @@ class Table:
         if not self.puts_back:
             self.state = self.state.after(move)
 
+    def press(self, cell: Cell, token: str) -> None:
+        """A cell was pressed, or a whole move made."""
+        match outcome(self.state, self.held, cell, token):
+            case Held(held):
+                self.held = held
+            case Released():
+                self.held = None
+            case Moved(move):
+                self.move(move)
+            case Nothing():
+                pass
+
     def message(self) -> dict[str, Any]:
         """The state as the stream carries it."""
         self.sequence += 1
@@ -268,15 +280,7 @@ def _add_forms(app: FastAPI, site: _Site) -> None:
     async def press(request: Request, cell: CellText, token: TokenText = "") -> Response:
         await asyncio.sleep(table.delay_s)
         table.presses.append(f"{token} {cell}".strip())
-        match outcome(table.state, table.held, cell_of(cell), token):
-            case Held(held):
-                table.held = held
-            case Released():
-                table.held = None
-            case Moved(move):
-                table.move(move)
-            case Nothing():
-                pass
+        table.press(cell_of(cell), token)
         query = request.headers.get("referer", "").partition("?")[2]
         return RedirectResponse(f"/?{query}" if query else "/", 303)
 
