@@ -87,9 +87,9 @@ def test_nothing_is_lost_by_a_reload_and_a_restart(
     root = begun(caregiver)
     page = caregiver.get(root).text
     press(caregiver, root, place_of(page, "19"))
-    assert "in your hand" in caregiver.get(root).text
+    assert "token 19, in your hand" in caregiver.get(root).text
     caregiver.app.state.context = replace(context)  # type: ignore[attr-defined] # the app under test
-    assert "in your hand" in caregiver.get(root).text
+    assert "token 19, in your hand" in caregiver.get(root).text
     page = press(caregiver, root, "1,1")
     assert place_of(page, "19") == "1,1"
 
@@ -97,8 +97,8 @@ def test_nothing_is_lost_by_a_reload_and_a_restart(
 def test_a_token_is_put_down_again_where_it_was(caregiver: TestClient) -> None:
     root = begun(caregiver)
     cell = place_of(caregiver.get(root).text, "19")
-    assert "in your hand" in press(caregiver, root, cell)
-    assert "in your hand" not in press(caregiver, root, cell)
+    assert "token 19, in your hand" in press(caregiver, root, cell)
+    assert "token 19, in your hand" not in press(caregiver, root, cell)
     assert "Please choose an empty cell." in press(caregiver, root, "1,3")
 
 

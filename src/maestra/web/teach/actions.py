@@ -49,6 +49,8 @@ class Why(Enum):
     """More tokens than storage cells."""
     NO_EXAM = "no-exam"
     TOO_MANY_DRAFTS = "too-many-drafts"
+    NAME_TAKEN = "name-taken"
+    """Another exercise of the library has it."""
 
 
 class CannotError(Exception):

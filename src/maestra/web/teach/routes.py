@@ -235,11 +235,17 @@ def name(
 def save_it(bench: AtBench, draft: str, name: Annotated[str, Form()] = "") -> Response:
     """Keep it in the library under a name."""
     wanted = name.strip()
-    kept = bench.desk.find(draft)
+    fault = ""
     if faults_of_name("name", wanted) or len(wanted) > MOST_OF_NAME:
         fault = bench.pages.say("Please write a name, of at most 80 letters.")
-        return _shown(bench, kept, typed=_Typed(name, fault))
-    return bench.change(draft, lambda now: save(bench.context, bench.visitor, now, wanted))
+    else:
+        try:
+            bench.desk.change(draft, lambda now: save(bench.context, bench.visitor, now, wanted))
+        except CannotError as error:
+            fault = bench.why(error.why.value)
+    if fault:
+        return _shown(bench, bench.desk.find(draft), typed=_Typed(name, fault))
+    return RedirectResponse(path_of(draft), 303)
 
 
 def pressed(draft: Draft, cell: str, token: str) -> Action:

@@ -30,15 +30,19 @@ def save(context: Context, visitor: Visitor, draft: Draft, name: str) -> Keep:
     """Keep what the draft comes to as a new version of `name`; that is what was done then.
 
     Raises:
-        CannotError: nothing was shown or told yet.
+        CannotError: nothing was shown or told yet; the name is that of another exercise.
     """
     exercise = exercise_of(draft)
     if exercise is None:
         raise CannotError(Why.NOTHING_SHOWN)
+    shelf = Shelf(context.store)
+    own = None if draft.saved is None else draft.saved[0]
+    if name != own and name in {*shelf.names(), *shelf.titles().values()}:
+        raise CannotError(Why.NAME_TAKEN)
     counting = (draft.demonstrations[k] for k in draft.taught.counting)
     lines = "".join(f"{encode_demonstration(one)}\n" for one in counting)
     source = Source(Origin.TAUGHT.value, visitor.account, context.clock.utc().isoformat())
-    version = Shelf(context.store).keep(name, encode_exercise(exercise), lines, source)
+    version = shelf.keep(name, encode_exercise(exercise), lines, source)
     Drafts(context.store).save_shown(name, version, draft.pictures)
     audit(context, visitor, Act.CHANGED, None, "exercise")
     return Keep(name, version)
