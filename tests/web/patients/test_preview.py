@@ -1,9 +1,13 @@
 """The preview says what the robot will say, because it is the robot that says it."""
 
+import html
+import re
 from dataclasses import replace
 
 import pytest
+from fastapi import FastAPI
 
+from maestra.coaching.ports import PatientId
 from maestra.coaching.settings import (
     Helper,
     Mental,
@@ -13,15 +17,19 @@ from maestra.coaching.settings import (
     settings_for,
 )
 from maestra.core.board import Board, Column, Row
+from maestra.core.faults import Fault, InvalidError
 from maestra.core.tokens import Deck
 from maestra.language import Language
 from maestra.language.coach import ways_to_say
 from maestra.language.coach_keys import CoachKey
+from maestra.robots.phrases import Phrases
 from maestra.rules.exercise import LearnStatus, RuledExercise, meant_rules
 from maestra.rules.exercise_format import encode_exercise
 from maestra.rules.forms.length import FullRow
 from maestra.rules.paper import NUMBER_DECK
 from maestra.web.context import Context
+from maestra.web.patients import settings_routes
+from maestra.web.patients.care import Care
 from maestra.web.patients.preview import Line, Moment, rehearse
 from tests.web.patients.conftest import PROFILE, As, make
 from tests.web.rooms.exercises import ASCENDING
@@ -117,3 +125,52 @@ def test_without_exercises_the_preview_leads_to_teaching(
     monkeypatch.setattr(context.store, "exercises", nothing)
     assert "Teach one" in browser.get("/patients/heron/preview").text
     assert "Teach one" in browser.get("/patients/heron").text
+
+
+def test_each_line_can_be_heard_where_there_is_a_voice(browsing: As) -> None:
+    browser = browsing()
+    make(browser, "heron", language="es")
+    page = browser.get("/patients/heron/preview").text
+    sounds = re.findall(r'<audio [^>]*src="([^"]*)"', page)
+    assert len(sounds) == len(Moment) + 5
+    answer = browser.get(html.unescape(sounds[0]))
+    assert answer.headers["content-type"] == "audio/wav"
+    assert answer.content[:4] == b"RIFF"
+
+
+@pytest.mark.parametrize(
+    "query",
+    ["exercise=nothing&way=1&line=0", "exercise=ascending&way=1&line=99"],
+)
+def test_what_is_not_said_cannot_be_heard(browsing: As, query: str) -> None:
+    browser = browsing()
+    make(browser, "heron")
+    assert browser.get(f"/patients/heron/preview/heard?{query}").status_code == 404
+
+
+def test_without_speech_nothing_can_be_heard(browsing: As, context: Context, app: FastAPI) -> None:
+    browser = browsing()
+    make(browser, "heron")
+    settings = replace(Settings(), modalities=(Modality.TEXT,))
+    Care(context.store).change(PatientId("heron"), settings)
+    assert "<audio" not in browser.get("/patients/heron/preview").text
+    settings = replace(Settings(), modalities=(Modality.GESTURE,))
+    Care(context.store).change(PatientId("heron"), settings)
+    query = "exercise=ascending&way=1&line=0"
+    assert browser.get(f"/patients/heron/preview/heard?{query}").status_code == 404
+    Care(context.store).change(PatientId("heron"), Settings())
+    app.state.phrases = Phrases(context.folder, "no such program")
+    assert browser.get(f"/patients/heron/preview/heard?{query}").status_code == 404
+
+
+def test_an_exercise_that_does_not_fit_its_board_has_no_preview(
+    browsing: As, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    browser = browsing()
+    make(browser, "heron")
+
+    def refuse(*_: object) -> None:
+        raise InvalidError([Fault("deck", "too few", "more")])
+
+    monkeypatch.setattr(settings_routes, "rehearse", refuse)
+    assert "cannot be played with its own tokens" in browser.get("/patients/heron/preview").text

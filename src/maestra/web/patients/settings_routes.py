@@ -5,12 +5,13 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from typing import Annotated, Any, Final
 
-from fastapi import APIRouter, Query
+from fastapi import APIRouter, HTTPException, Query
 from fastapi.responses import HTMLResponse, Response
 
-from maestra.coaching.settings import Settings
+from maestra.coaching.settings import Modality, Settings
 from maestra.core.faults import InvalidError
 from maestra.language.coach_settings import setting_name
+from maestra.robots.phrases import NoVoiceError
 from maestra.rules.exercise_format import decode_exercise
 from maestra.web.access.audit import Act
 from maestra.web.pages import Pages
@@ -21,6 +22,7 @@ from maestra.web.patients.plan import Plan
 from maestra.web.patients.preview import Line, rehearse
 from maestra.web.patients.routes import Done
 from maestra.web.patients.whose import Filled
+from maestra.web.rooms.routes import WAV, PhrasesHere
 
 MOST_WAYS: Final = 1_000_000
 """Seeds of a preview."""
@@ -101,19 +103,18 @@ def leave(desk: AtDesk) -> Response:
     return desk.to("/settings")
 
 
+ExampleName = Annotated[str, Query(max_length=1_000)]
+Way = Annotated[int, Query(ge=1, le=MOST_WAYS)]
+
+
 @router.get("/patients/{pseudonym}/preview")
 def preview(
-    desk: AtDesk,
-    exercise: Annotated[str, Query(max_length=1_000)] = "",
-    way: Annotated[int, Query(ge=1, le=MOST_WAYS)] = 1,
+    desk: AtDesk, phrases: PhrasesHere, exercise: ExampleName = "", way: Way = 1
 ) -> HTMLResponse:
     """What the robot will say, with what is typed if that can be."""
-    now, plan = desk.care.remembered(desk.patient).settings, desk.care.plan(desk.patient)
-    typed = {**fields.typed_of(now), **(plan.draft or {})}
-    meant = fields.settings_of(typed, now, desk.pages)
-    tried = meant if isinstance(meant, Settings) else now
-    known = titles(desk.context, desk.pages.language)
-    examples = [one for one in known if one in plan.exercises] or list(known)
+    now, tried = desk.care.remembered(desk.patient).settings, _tried(desk)
+    known = titles(desk.context)
+    examples = _examples(desk, known)
     chosen = exercise if exercise in examples else next(iter(examples), "")
     return desk.page(
         "patients/preview.html",
@@ -123,8 +124,31 @@ def preview(
         is_draft=tried != now,
         exercises=[(one, known[one]) for one in examples],
         exercise=chosen,
+        way=way,
         next_way=way % MOST_WAYS + 1,
+        can_be_heard=phrases.can_speak and Modality.SPEECH in tried.modalities,
     )
+
+
+@router.get("/patients/{pseudonym}/preview/heard")
+def heard(
+    desk: AtDesk,
+    phrases: PhrasesHere,
+    exercise: ExampleName,
+    way: Way,
+    line: Annotated[int, Query(ge=0, le=1_000)],
+) -> Response:
+    """One line of the preview as sound, as fast and as loud as the settings say."""
+    tried = _tried(desk)
+    if exercise not in _examples(desk, titles(desk.context)):
+        raise HTTPException(404, "no such exercise")
+    said = [one.said for one in _rehearsed(desk, exercise, tried, way)][line : line + 1]
+    if not said or not said[0]:
+        raise HTTPException(404, "nothing is said there")
+    try:
+        return Response(phrases.spoken(" ".join(said[0]), tried), media_type=WAV)
+    except NoVoiceError:
+        raise HTTPException(404, "nothing can be heard") from None
 
 
 # ---------------------------------------------------------------- within
@@ -174,6 +198,20 @@ def _in_words(written: Mapping[str, Any], pages: Pages) -> Iterator[tuple[str, s
     for name, value in parts.items():
         if name != "profile":
             yield setting_name(name, pages.language), fields.words_of(name, value, pages)
+
+
+def _tried(desk: Desk) -> Settings:
+    """The settings as they are typed, if they can be so; else those in use."""
+    now, plan = desk.care.remembered(desk.patient).settings, desk.care.plan(desk.patient)
+    typed = {**fields.typed_of(now), **(plan.draft or {})}
+    meant = fields.settings_of(typed, now, desk.pages)
+    return meant if isinstance(meant, Settings) else now
+
+
+def _examples(desk: Desk, known: Mapping[str, str]) -> list[str]:
+    """Exercises to speak about: those assigned, or else all."""
+    assigned = desk.care.plan(desk.patient).exercises
+    return [one for one in known if one in assigned] or list(known)
 
 
 def _rehearsed(desk: Desk, name: str, settings: Settings, way: int) -> tuple[Line, ...]:
