@@ -118,6 +118,77 @@ def test_a_start_has_a_right_move(tmp_path: Path) -> None:
     assert "row 2" in ran.out
 
 
+def settings_with(folder: Path, **settings: object) -> Path:
+    file = folder / "settings.json"
+    file.write_text(json.dumps({"format": "maestra.settings/1", "settings": settings}))
+    return file
+
+
+def row_of(ran: Ran, play: int) -> str:
+    """The board as it was first drawn in a play."""
+    drawn = ran.out.split("Rest; then press Enter")[play]
+    return drawn[drawn.index("├") : drawn.index("└")]
+
+
+def test_a_sitting_has_as_many_plays_as_the_settings_say(tmp_path: Path) -> None:
+    settings = settings_with(tmp_path, rounds=3)
+    typed = f"{ASCENDING}\n{ASCENDING}\n{ASCENDING}"
+    ran = play(tmp_path, typed, "--settings", settings)
+    assert ran.code == 0, ran
+    assert "Play 1 of 3 is done. Rest; then press Enter, or type quit." in ran.out
+    assert "Play 2 of 3 is done." in ran.out
+    assert "Play 3 of 3" not in ran.out
+    assert len({row_of(ran, number) for number in range(3)}) == 3
+    where = ("--data", tmp_path / "data", "--keys", tmp_path / "keys")
+    report = json.loads(maestra("report", "anna", "--json", *where).out)
+    assert len(report["exercises"][0]["sessions"]) == 3
+    for name in ("session.jsonl", "session-2.jsonl", "session-3.jsonl"):
+        with (tmp_path / name).open("rb") as file:
+            assert read_session(file, name)[0].patient == "anna"
+        assert maestra("replay", tmp_path / name).code == 0
+    assert play(tmp_path, typed).out == ran.out
+
+
+def test_a_sitting_ends_when_the_patient_has_enough(tmp_path: Path) -> None:
+    settings = settings_with(tmp_path, rounds=3)
+    left = play(tmp_path, f"{ASCENDING}quit\n", "--settings", settings)
+    assert left.code == 0
+    assert "Play 2" not in left.out
+    assert play(tmp_path, ASCENDING).code == 0
+    stopped = play(tmp_path, f"{ASCENDING}\n19\nquit\n")
+    assert stopped.code == 1
+    assert "Play 2" not in stopped.out
+
+
+def test_a_sitting_without_a_file_keeps_none(tmp_path: Path) -> None:
+    exercise = learned(tmp_path, "ascending", "--learner", "grounded")
+    settings = settings_with(tmp_path, rounds=2)
+    where = ("--data", tmp_path / "data", "--keys", tmp_path / "keys", "--settings", settings)
+    typed = f"{ASCENDING}\n{ASCENDING}".encode()
+    ran = maestra("play", exercise, "--patient", "anna", "--quiet", *where, typed=typed)
+    assert ran.code == 0
+    assert not list(tmp_path.glob("*-2*"))
+
+
+def test_a_caregivers_own_words_are_said_and_kept_with_the_session(tmp_path: Path) -> None:
+    words = tmp_path / "words.json"
+    english = {"noun": "price", "things": "prices", "more": "dearer", "less": "cheaper"}
+    own = {"value": {"en": english}}
+    words.write_text(json.dumps({"format": "maestra.words/1", "attributes": own}))
+    ran = play(tmp_path, "hint\n", "--words", words)
+    assert "dearer" in ran.out
+    words.unlink()
+    said = maestra("replay", tmp_path / "session.jsonl")
+    assert said.code == 0
+    assert "dearer" in said.out
+    missing = play(tmp_path, "", "--words", words)
+    assert missing.code == 2
+    words.write_text("{}")
+    refused = play(tmp_path, "", "--words", words)
+    assert refused.code == 2
+    assert "words.json" in refused.err
+
+
 class Under:
     """A session with nothing due, or with something after so many milliseconds."""
 

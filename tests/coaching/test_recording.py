@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+import json
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 import pytest
 
@@ -107,6 +108,16 @@ def under_way(
 def test_a_start_survives_its_line() -> None:
     begun = start()
     assert decode_start(encode_start(begun).encode()) == begun
+    words = '{"format": "maestra.words/1", "attributes": {}}'
+    spoken = replace(begun, words=words)
+    assert decode_start(encode_start(spoken).encode()) == spoken
+    assert spoken.session().game.referee.rules == begun.session().game.referee.rules
+
+
+def test_words_that_are_none_are_refused() -> None:
+    fields = {**json.loads(encode_start(start())), "words": {"format": "maestra.words/1", "a": 1}}
+    with pytest.raises(FormatError, match="a: "):
+        decode_start(json.dumps(fields).encode())
 
 
 def test_a_session_plays_again_to_the_same_commands() -> None:

@@ -291,6 +291,7 @@ def play(
     record: Annotated[
         str | None, typer.Option(metavar="FILE", help="Also write the session as JSON Lines.")
     ] = None,
+    words: Words = None,
     data: Annotated[
         str | None, typer.Option(metavar="DIR", help="The record: a folder, or a database's URL.")
     ] = None,
@@ -312,6 +313,7 @@ def play(
         data,
         keys,
         speak,
+        words,
     )
     if not playing.play(wanted):
         raise typer.Exit(1)

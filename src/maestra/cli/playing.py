@@ -2,6 +2,7 @@
 
 At a terminal the clock is the real one, so the coach speaks up after a silence. Piped lines come
 a second apart, and `wait 20` lets twenty seconds pass, so that a transcript is the same each time.
+A sitting has as many plays as the settings say, each a session of its own, with a rest between.
 """
 
 from __future__ import annotations
@@ -24,6 +25,7 @@ from maestra.cli.outputs import Drawn, Said, Tone
 from maestra.cli.own_language import own_language
 from maestra.cli.screen import Screen
 from maestra.cli.streams import named, read_whole, write_file
+from maestra.coaching.chance import Chance
 from maestra.coaching.events import (
     Begun,
     DoneSaid,
@@ -51,7 +53,7 @@ from maestra.coaching.sitting import Chosen, known_patient, rise, sit_down
 from maestra.core.board import Cell, Column
 from maestra.core.state import State
 from maestra.core.tokens import Deck, TokenId
-from maestra.language import Language
+from maestra.language import Language, read_words
 from maestra.language.terminal import TerminalKey, terminal_sentence
 from maestra.robots.screen import ScreenRobot
 from maestra.robots.speech import SpeechRobot
@@ -76,6 +78,7 @@ class Wanted:
     data: str | None
     keys: str | None
     speak: bool
+    words: str | None = None
 
 
 class Tee:
@@ -97,12 +100,12 @@ class Tee:
 
 
 def play(wanted: Wanted) -> bool:
-    """Play one session, and keep it; whether it was completed.
+    """Play one sitting, and keep it; whether all plays of it were completed.
 
     Raises:
         FormatError: a file holds something else.
         InvalidError: the exercise cannot be played on its board.
-        OSError: a file cannot be read, or the session cannot be kept.
+        OSError: a file cannot be read, or a session cannot be kept.
     """
     return accompany(exercise_in(wanted.exercise), wanted)
 
@@ -113,29 +116,51 @@ def accompany(exercise: Exercise, wanted: Wanted) -> bool:
     Raises:
         FormatError: a file holds something else.
         InvalidError: the exercise cannot be played on its board.
-        OSError: a file cannot be read, or the session cannot be kept.
+        OSError: a file cannot be read, or a session cannot be kept.
     """
     store = record_at(wanted.data, wanted.keys)
     try:
-        return _Session(wanted, exercise, store).play()
+        return _sitting(exercise, wanted, store)
     finally:
         store.close()
+
+
+def _sitting(exercise: Exercise, wanted: Wanted, store: Store) -> bool:
+    """Play after play until all are done, one is not completed, or the patient has enough."""
+    seed = time.time_ns() % 2**64 if wanted.seed is None else wanted.seed
+    session = _Session(wanted, exercise, store, seed)
+    for number in range(2, session.rounds + 1):
+        if not session.play():
+            return False
+        if not session.rest(number - 1):
+            return True
+        own = Chance(seed).split(number).state
+        session = _Session(_next(wanted, number), exercise, store, own)
+    return session.play()
+
+
+def _next(wanted: Wanted, number: int) -> Wanted:
+    """What is wanted of a later play: the settings are the patient's by now."""
+    record = None
+    if wanted.record is not None:
+        path = Path(wanted.record)
+        record = str(path.with_name(f"{path.stem}-{number}{path.suffix}"))
+    return replace(wanted, settings=None, language=None, record=record)
 
 
 class _Session:
     """One session at the terminal."""
 
-    def __init__(self, wanted: Wanted, exercise: Exercise, store: Store) -> None:
+    def __init__(self, wanted: Wanted, exercise: Exercise, store: Store, seed: int) -> None:
         self._wanted, self._store = wanted, store
         self._patient = PatientId(wanted.patient)
-        seed = time.time_ns() % 2**64 if wanted.seed is None else wanted.seed
         name = Path(wanted.exercise).stem or "exercise"
         version = store.save_exercise(name, encode_exercise(exercise))
         identity = SessionId(f"{wanted.patient}-{seed:016x}-{time.time_ns():x}")
         sitting = sit_down(
             identity,
             self._patient,
-            Chosen(name, version, exercise),
+            Chosen(name, version, exercise, _words(wanted.words)),
             self._known(),
             seed=seed,
             utc=_utc(),
@@ -148,6 +173,19 @@ class _Session:
         self._running = Running(
             identity, self._start, self._board, self._robots(), self._record, _utc()
         )
+
+    @property
+    def rounds(self) -> int:
+        """How many plays the sitting has."""
+        return self._start.settings.rounds
+
+    def rest(self, number: int) -> bool:
+        """After play `number`: rest until Enter is typed; whether the patient goes on."""
+        language = self._start.settings.language
+        leave = terminal_sentence(TerminalKey.TYPE_QUIT, language)
+        self._say(TerminalKey.REST, number=number, count=self.rounds, quit=leave)
+        line = next(self._screen.lines(), None)
+        return line is not None and understand(line, language) != Command(Word.QUIT)
 
     def play(self) -> bool:
         """Lead the session to its end or the end of what is typed."""
@@ -274,6 +312,20 @@ class _Session:
         if self._wanted.record is not None:
             write_file(self._wanted.record, "".join(f"{one}\n" for one in self._record.lines))
         return session.ending is not None and session.ending.value == "complete"
+
+
+def _words(path: str | None) -> str | None:
+    """The text of a caregiver's file of words.
+
+    Raises:
+        FormatError: it holds something else.
+        OSError: it cannot be read.
+    """
+    if path is None:
+        return None
+    content = read_whole(path)
+    read_words(content, named(path))
+    return content.decode()
 
 
 def _token(deck: Deck, typed: str) -> TokenId | None:

@@ -30,6 +30,7 @@ from maestra.core.json_faults import faults_of_validation
 from maestra.core.json_lines import FormatError, decode_object, split_lines
 from maestra.core.state import State
 from maestra.core.tokens import Deck
+from maestra.language import NO_LEXICON, read_words
 from maestra.rules.exercise import Exercise
 from maestra.rules.exercise_format import decode_exercise, encode_exercise
 
@@ -51,14 +52,18 @@ class Start:
     """What the policy knew of the patient."""
     patient: str = ""
     """A pseudonym, perhaps none."""
+    words: str | None = None
+    """A caregiver's own words, the text of a file `maestra.words/1`; None: none."""
 
     def session(self) -> Session:
         """The session that begins so.
 
         Raises:
             InvalidError: the deck or the board does not fit the exercise.
+            FormatError: the words are none.
         """
-        referee = ExerciseReferee(self.exercise, self.deck, self.settings.language)
+        words = NO_LEXICON if self.words is None else read_words(self.words.encode())
+        referee = ExerciseReferee(self.exercise, self.deck, self.settings.language, words)
         return new_session(Game(referee, self.settings, self.state, self.seed), self.policy)
 
 
@@ -78,6 +83,10 @@ class StartJson(BaseModel):
     ]
     settings: Annotated[dict[str, Any], Field(description="As `maestra.settings/1` has them.")]
     policy: Annotated[dict[str, Any], Field(description="How much to help, as it was known.")]
+    words: Annotated[
+        dict[str, Any] | None,
+        Field(description="A caregiver's own words, as `maestra.words/1` has them."),
+    ] = None
 
 
 def encode_start(start: Start) -> str:
@@ -93,6 +102,8 @@ def encode_start(start: Start) -> str:
         "settings": encode_settings(start.settings),
         "policy": encode_policy(start.policy),
     }
+    if start.words is not None:
+        fields["words"] = json.loads(start.words)
     return json.dumps(fields, ensure_ascii=False)
 
 
@@ -119,6 +130,7 @@ def decode_start(line: bytes, file: str = "-", number: int = 1) -> Start:
             written.seed,
             _within("policy", lambda: decode_policy(written.policy)),
             written.patient,
+            None if written.words is None else _words(written.words, file),
         )
     except ValidationError as error:
         raise FormatError(file, number, faults_of_validation(error, StartJson)) from None
@@ -171,6 +183,13 @@ def _within(place: str, build: Callable[[], _Built]) -> _Built:
         return build()
     except InvalidError as error:
         raise InvalidError([fault.under(place) for fault in error.faults]) from None
+
+
+def _words(fields: dict[str, Any], file: str) -> str:
+    """The text of a file of words, which `fields` are if this raises nothing."""
+    text = _bytes(fields)
+    read_words(text, file)
+    return text.decode()
 
 
 def _bytes(fields: dict[str, Any]) -> bytes:

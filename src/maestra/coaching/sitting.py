@@ -32,6 +32,8 @@ class Chosen:
     name: str
     version: int
     exercise: Exercise
+    words: str | None = None
+    """A caregiver's own, the text of a file of words."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -85,7 +87,8 @@ def sit_down(
     """
     settings = known.settings
     deck, state = laid_out(chosen.exercise, settings, Chance(seed))
-    start = Start(chosen.exercise, deck, state, settings, seed, known.best_policy, patient)
+    policy, words = known.best_policy, chosen.words
+    start = Start(chosen.exercise, deck, state, settings, seed, policy, patient, words)
     written = write_remembered(known)
     stored = StoredSession(session, patient, chosen.name, chosen.version, written, utc)
     return Sitting(stored, start)

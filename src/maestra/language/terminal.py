@@ -63,6 +63,7 @@ class TerminalKey(Enum):
     # accompanying
     KEPT = "kept"
     NOT_KEPT = "not-kept"
+    REST = "rest"
     # teaching
     TEACH = "teach"
     HOW_TO_MOVE = "how-to-move"

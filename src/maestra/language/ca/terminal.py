@@ -48,6 +48,8 @@ SENTENCES: Final[Mapping[str, str]] = MappingProxyType(
         "kept": "Deso aquesta sessió per a {patient}.",
         "not-kept": "No deso aquesta sessió; la desaria amb un nom per al pacient: "
         "{accompany} {patient}",
+        "rest": "Ha acabat la partida {number} de {count}. "
+        "Descanseu; després premeu Retorn o escriviu {quit}.",
         "teach": "Mostreu-me com es fa. {title}.",
         "how-to-move": "Escriviu una fitxa i una columna, per exemple: {token} 1",
         "how-to-show": "O deixeu que jo mostri una jugada correcta: {show}",

@@ -48,6 +48,7 @@ SENTENCES: Final[Mapping[str, str]] = MappingProxyType(
         "kept": "I keep this session for {patient}.",
         "not-kept": "I do not keep this session; I would, with a name for the patient: "
         "{accompany} {patient}",
+        "rest": "Play {number} of {count} is done. Rest; then press Enter, or type {quit}.",
         "teach": "Show me how it goes. {title}.",
         "how-to-move": "Type a token and a column, such as: {token} 1",
         "how-to-show": "Or let me show a right play: {show}",

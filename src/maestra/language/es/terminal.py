@@ -48,6 +48,8 @@ SENTENCES: Final[Mapping[str, str]] = MappingProxyType(
         "kept": "Guardo esta sesión para {patient}.",
         "not-kept": "No guardo esta sesión; la guardaría con un nombre para el paciente: "
         "{accompany} {patient}",
+        "rest": "Ha terminado la partida {number} de {count}. "
+        "Descanse; luego pulse Intro o escriba {quit}.",
         "teach": "Muéstreme cómo se hace. {title}.",
         "how-to-move": "Escriba una ficha y una columna, por ejemplo: {token} 1",
         "how-to-show": "O deje que yo muestre una jugada correcta: {show}",
