@@ -30,6 +30,7 @@ from __future__ import annotations
 from bisect import bisect_left
 from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import cache
 from typing import Final, TypeAlias
 
 from maestra.coaching.fields import MAX_LEVEL
@@ -108,13 +109,16 @@ def least_help(odds: Odds, situation: Situation, strain: int, limits: Limits, sp
     most, quiet = limits.most, limits.after_silence[-1]
     at_most = _Menu(range(most, most + 1), range(quiet, quiet + 1))
     enough = _choose(odds, situation, strain, at_most, 0.0)[1] - spare
-    index = bisect_left(
-        PRICES,
-        x=True,
-        hi=len(PRICES) - 1,
-        key=lambda price: _choose(odds, situation, strain, menu, price)[1] >= enough,
-    )
-    return _choose(odds, situation, strain, menu, PRICES[index])[0]
+
+    @cache
+    def at(price: float) -> tuple[int, float]:
+        return _choose(odds, situation, strain, menu, price)
+
+    def suffices(price: float) -> bool:
+        return at(price)[1] >= enough
+
+    index = bisect_left(PRICES, x=True, hi=len(PRICES) - 1, key=suffices)
+    return at(PRICES[index])[0]
 
 
 def _choose(
@@ -145,16 +149,15 @@ def _layer(odds: Odds, after: _Layer, menu: _Menu, price: float) -> _Layer:
         missed, silent = strain + _WEAR, strain + 1
         bears_missed = _BORNE[missed] / _BORNE[strain]
         bears_silent = odds.silent * _BORNE[silent] / _BORNE[strain]
-        helped_again[strain] = _attempted(
-            odds, right, again[missed], bears_missed, later[silent], bears_silent
-        )
-        helped[strain] = _attempted(
-            odds, right, fresh[missed], bears_missed, first[silent], bears_silent
-        )
-        again[strain] = _best(helped_again[strain], menu.usual, price)
-        fresh[strain] = _best(helped[strain], menu.usual, price)
-        first[strain] = _after_silence(helped_again[strain], menu.after_silence, price)
-        later[strain] = _after_silence(helped_again[strain], menu.usual, price)
+        row = _attempted(odds, right, again[missed], bears_missed, later[silent], bears_silent)
+        priced = _priced(row, price)
+        helped_again[strain] = row
+        again[strain] = max(_of(priced, menu.usual))
+        first[strain] = _after_silence(row, priced, menu.after_silence)
+        later[strain] = _after_silence(row, priced, menu.usual)
+        row = _attempted(odds, right, fresh[missed], bears_missed, first[silent], bears_silent)
+        helped[strain] = row
+        fresh[strain] = max(_of(_priced(row, price), menu.usual))
     return _Layer(tuple(fresh), tuple(helped), tuple(helped_again))
 
 
@@ -168,27 +171,35 @@ def _attempted(
 ) -> tuple[Worth, ...]:
     """With the help of each level standing: what the next attempt is worth."""
     answered = 1 - odds.silent
+    (right_value, right_share), (wrong_value, wrong_share) = right, wrong
     worths: list[Worth] = []
-    for share, none in zip(odds.right, silent, strict=True):
+    for share, (value, completes) in zip(odds.right, silent, strict=True):
         good, bad = answered * share, answered * (1 - share) * bears_wrong
         worths.append(
             (
-                good * right[0] + bad * wrong[0] + silence * none[0],
-                good * right[1] + bad * wrong[1] + silence * none[1],
+                good * right_value + bad * wrong_value + silence * value,
+                good * right_share + bad * wrong_share + silence * completes,
             )
         )
     return tuple(worths)
 
 
-def _best(helped: Sequence[Worth], levels: Sequence[int], price: float) -> Worth:
-    return max((helped[level][0] - price * level, helped[level][1]) for level in levels)
+def _priced(helped: Sequence[Worth], price: float) -> list[Worth]:
+    """By level: before it is said."""
+    return [(value - price * level, share) for level, (value, share) in enumerate(helped)]
 
 
-def _after_silence(helped: Sequence[Worth], levels: range, price: float) -> tuple[Worth, ...]:
+def _of(priced: list[Worth], levels: range) -> list[Worth]:
+    return priced[levels.start : levels.stop]
+
+
+def _after_silence(
+    helped: tuple[Worth, ...], priced: list[Worth], levels: range
+) -> tuple[Worth, ...]:
     """By the help that stands: it may be left so, if level 0 is allowed, or more be said."""
     if 0 not in levels:
-        return (_best(helped, levels, price),) * len(helped)
+        return (max(_of(priced, levels)),) * len(helped)
     if len(levels) == 1:
-        return tuple(helped)
-    said = _best(helped, levels[1:], price)
-    return tuple(max(kept, said) for kept in helped)
+        return helped
+    said = max(_of(priced, levels[1:]))
+    return tuple([max(said, kept) for kept in helped])
