@@ -70,7 +70,14 @@ def test_a_colour_or_shape_is_known_in_each_language_and_never_without_a_word() 
 
 @pytest.mark.parametrize(
     ("label", "size"),
-    [("19", "short"), ("cup", "short"), ("yellow", "medium"), ("umbrella", "long"), ("", "short")],
+    [
+        ("19", "short"),
+        ("100", "short"),
+        ("cup", "medium"),
+        ("yellow", "medium"),
+        ("umbrella", "long"),
+        ("", "short"),
+    ],
 )
 def test_long_labels_are_smaller(label: str, size: str) -> None:
     assert TokenView(A, label, label).size == size

@@ -16,9 +16,11 @@ SHAPES: Final = frozenset({"shape", "forma"})
 _LARGE: Final = ("value", "number", LETTER, NAME, "word")
 """What stands in large on a token that shows several things: what people look for first."""
 
-_SHORT: Final = 3
+_SHORT: Final = 2
+_SHORT_NUMBER: Final = 3
 _MEDIUM: Final = 6
-"""Characters that fit a token in the largest and in the middle size of its text."""
+"""Characters that fit a token in the largest and in the middle size of its text; what is short
+also fits a shape."""
 
 _HUES: Final = {
     "red": "red rojo roja vermell vermella",
@@ -90,7 +92,9 @@ class TokenView:
         """How large its label can be."""
         longest = max((len(word) for word in self.label.split()), default=0)
         whole = max(longest, len(self.label) // 2)
-        return "short" if whole <= _SHORT else "medium" if whole <= _MEDIUM else "long"
+        if whole <= (_SHORT_NUMBER if self.label.isdecimal() else _SHORT):
+            return "short"
+        return "medium" if whole <= _MEDIUM else "long"
 
     def as_json(self) -> TokenJson:
         """The token for the stream."""
