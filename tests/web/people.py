@@ -9,7 +9,7 @@ from httpx2 import Response
 
 from maestra.language import Language
 from maestra.storage.access import Account
-from maestra.web.access.doors import Doors
+from maestra.web.access.doors import Doors, Limits
 from maestra.web.access.passwords import Passwords
 from maestra.web.access.visitor import AccountId, Role, Visitor
 from maestra.web.context import Context
@@ -20,9 +20,9 @@ WRONG: Final = "a loud harbour"
 ADA: Final = Account("", "Ada", Role.CAREGIVER.value, "en", "no hash, so no password")
 
 
-def quick_doors() -> Doors:
+def quick_doors(limits: Limits | None = None) -> Doors:
     """Doors whose hashes take no time: the tests make hundreds."""
-    return Doors(passwords=Passwords(memory_kib=8, passes=1))
+    return Doors(passwords=Passwords(memory_kib=8, passes=1), limits=limits or Limits())
 
 
 def add_account(

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from datetime import datetime
 from typing import Annotated, Final
 
-from fastapi import APIRouter, HTTPException, Query, Request
+from fastapi import APIRouter, Depends, HTTPException, Query, Request
 from fastapi.responses import HTMLResponse, RedirectResponse, Response
 
 from maestra.coaching.ports import PatientId, StoredSession
@@ -18,7 +18,7 @@ from maestra.core.faults import InvalidError
 from maestra.core.tokens import TokenId
 from maestra.language import Language
 from maestra.web.access.devices import DeviceKind
-from maestra.web.access.guard import Accompanying, Teaching
+from maestra.web.access.guard import Accompanying, Teaching, needs
 from maestra.web.access.ownership import demand_patient, patients_of, sees_patient
 from maestra.web.access.visitor import Right, Visitor
 from maestra.web.board_view import board_view, tokens_by_id
@@ -59,6 +59,8 @@ ANY_ROOM: Final = ""
 """The patient's screen is the board; any free room will do."""
 
 router: Final = APIRouter(include_in_schema=False)
+ForCaregivers: Final = Depends(needs(Right.ACCOMPANY))
+"""Patients' screens and boards are guests too, but not on these pages."""
 
 
 # ---------------------------------------------------------------- all of them
@@ -277,7 +279,7 @@ def take_back(
     return RedirectResponse(path_of(kept.id), 303)
 
 
-@router.post("/sessions/{name}")
+@router.post("/sessions/{name}", dependencies=[ForCaregivers])
 def press(
     room: Entered, guest: GuestHere, request: Request, pressed: Pressing
 ) -> RedirectResponse:
@@ -286,7 +288,7 @@ def press(
     return RedirectResponse(request.url.path, 303)
 
 
-@router.post("/sessions/{name}/do")
+@router.post("/sessions/{name}/do", dependencies=[ForCaregivers])
 def do(room: Entered, guest: GuestHere, typed: Filled) -> RedirectResponse:
     """One of the caregiver's buttons was pressed."""
     if room.stored is None:
