@@ -172,7 +172,7 @@ async def broadcasts(server: Server) -> Figure:
             at = begun + k / BROADCASTS_A_SECOND
             await asyncio.sleep(max(0.0, at - time.perf_counter()))
             sent.append(time.perf_counter())
-            event = {"event": ("lifted", "put-back")[k % 2], "token": token}
+            event: dict[str, object] = {"event": ("lifted", "put-back")[k % 2], "token": token}
             told_as.append(await told_and_shown(teller, event))
         await asyncio.sleep(2)
         for one in following:

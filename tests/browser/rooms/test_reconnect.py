@@ -179,6 +179,7 @@ def test_the_server_is_stopped_and_started_and_the_page_goes_on(
     make(page, move)
     served.app.state.rooms = Rooms(served.context.store, served.context.clock, can_speak=True)
     again = served.app.state.rooms.of(HERON)
+    assert isinstance(again, Room)
     cable.mend()
     wait_until(lambda: again.session.table.cells.get(move.token) == move.destination)
     assert again.state.phase == "paused"

@@ -200,5 +200,5 @@ def _events(state: RoomState, start: Start | None, pressed: Press) -> list[Event
             return [TokenPlaced(move.token, move.destination)]
         case Nothing():
             return []
-        case unknown:
+        case _ as unknown:
             assert_never(unknown)
