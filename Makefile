@@ -12,7 +12,7 @@ export PYTHON
 
 .PHONY: help
 help: ## list the targets
-	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "  make %-10s %s\n", $$1, $$2 }' $(MAKEFILE_LIST)
+	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "  make %-11s %s\n", $$1, $$2 }' $(MAKEFILE_LIST)
 
 # ---------------------------------------------------------------- use it
 
@@ -114,6 +114,16 @@ million: setup ## read a million demonstrations: how fast, in how much memory
 .PHONY: properties
 properties: setup ## the tests with 5,000 examples for each law instead of 40
 	$(BIN)/python -m pytest --numprocesses=2 --hypothesis-profile=nightly --timeout=0
+
+REQUESTS ?= 300
+
+.PHONY: requests
+requests: setup ## invent 300 requests for each operation of the interface for programs
+	MAESTRA_REQUESTS=$(REQUESTS) $(BIN)/python -m pytest tests/web/test_openapi.py --timeout=0
+
+.PHONY: screenshots
+screenshots: setup ## take pictures of every page for the docs and the help
+	$(BIN)/python -m scripts.take_screenshots
 
 .PHONY: nightly-setup
 nightly-setup:

@@ -2,7 +2,7 @@
 
 import re
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Final
 
 from playwright.sync_api import Page
@@ -10,6 +10,7 @@ from playwright.sync_api import Page
 from maestra.coaching.ports import PatientId, SessionId
 from maestra.coaching.remembered import Remembered, write_remembered
 from maestra.coaching.settings import Mental, Profile, settings_for
+from maestra.language import Language
 from maestra.web.access.visitor import Role
 from maestra.web.library.collection import exercise_id
 from tests.browser.roles import NAMES, log_in
@@ -47,13 +48,16 @@ class World:
         return path.format_map(gaps)
 
 
-def populate(served: Served, caregiver: Page) -> World:
-    """Let everything happen; `caregiver` becomes the page of one who is logged in."""
+def populate(served: Served, caregiver: Page, language: Language = Language.EN) -> World:
+    """Let everything happen; `caregiver` becomes the page of one who is logged in.
+
+    The patient is spoken to in `language`.
+    """
     store = served.context.store
     ana = add_account(served.context, NAMES[Role.CAREGIVER], Role.CAREGIVER)
     rosa = add_account(served.context, NAMES[Role.RESEARCHER], Role.RESEARCHER)
     store.custody.own(HERON, ana.account)
-    settings = settings_for(Profile(Mental.MODERATE))
+    settings = replace(settings_for(Profile(Mental.MODERATE)), language=language)
     store.save_settings(HERON, write_remembered(Remembered(settings)))
     store.save_name(HERON, "Montserrat Pujol")
     sessions = play(store, HERON, EXERCISE, sessions=3)
