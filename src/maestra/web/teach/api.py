@@ -367,7 +367,7 @@ def _said(bench: Bench, kept: Kept) -> DraftSaid:
     understood = bench.views(kept).understanding()
     exercise = exercise_of(draft)
     is_ruled = isinstance(exercise, RuledExercise)
-    rules = [] if understood is None else understood.rules
+    rules = () if understood is None else understood.rules
     return DraftSaid(
         id=kept.id,
         mark=draft.mark,

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import secrets
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Generator
 from contextlib import contextmanager
 from dataclasses import dataclass
 from functools import lru_cache
@@ -140,7 +140,7 @@ _DOOR: Final = Lock()
 
 
 @contextmanager
-def _turn(draft: DraftId) -> Iterator[None]:
+def _turn(draft: DraftId) -> Generator[None]:
     """One change of a draft at a time; forgotten when nobody waits for it any more."""
     with _DOOR:
         turn = _TURNS.setdefault(draft, _Turn())

@@ -42,6 +42,8 @@ router: Final = APIRouter(include_in_schema=False)
 
 Lines = Annotated[str, Form(max_length=MOST_TYPED)]
 Fields = Annotated[list[str], Form(max_length=MOST_FIELDS)]
+Perhaps = Annotated[list[str] | None, Form(max_length=MOST_FIELDS)]
+"""Of check boxes: none if none is checked."""
 Shown: TypeAlias = Mapping[str, Digest]
 
 
@@ -97,9 +99,7 @@ def words(bench: AtBench, draft: str, words: Lines = "") -> Response:
 
 
 @router.post("/teach/{draft}/tokens/shapes")
-def shapes(
-    bench: AtBench, draft: str, colour: Fields | None = None, shape: Fields | None = None
-) -> Response:
+def shapes(bench: AtBench, draft: str, colour: Perhaps = None, shape: Perhaps = None) -> Response:
     """Each of the colours in each of the shapes."""
     return _equip(bench, draft, "shapes", lambda: decks.shapes_deck(colour or [], shape or []))
 
@@ -121,7 +121,7 @@ def table(
     draft: str,
     property: Fields,  # noqa: A002 - as the form calls it
     value: Fields,
-    ordered: Fields | None = None,
+    ordered: Perhaps = None,
     words: Lines = "",
 ) -> Response:
     """What each token shows, as it stands in the table."""
