@@ -9,11 +9,13 @@ import pytest
 HEAVY = {
     "clingo",
     "cryptography",
+    "fastapi",
     "joblib",
     "numpy",
     "pddl",
     "rich",
     "sqlalchemy",
+    "uvicorn",
     "maestra.core",
     "maestra.rules",
 }
