@@ -58,6 +58,8 @@ ODD = EveryToken(has("odd", "value"))
 ODD_ROW = (0, 1, 6, 7, 9)
 ROWS = ((0, 2, 5, 7, 8), (1, 3, 4, 6, 9), (2, 3, 6, 8, 9), (0, 1, 4, 5, 6))
 UP = [shown(tokens, turn) for turn, tokens in enumerate(ROWS)]
+MIXED = ((3, 9, 0, 5, 1), (8, 1, 6, 7, 2), (5, 2, 4, 0, 9))
+"""In no order."""
 SLIPPED = [*UP, shown((1, 2, 4, 6, 5), 5)]
 """Rising numbers; at last two of them have changed places."""
 
@@ -236,6 +238,21 @@ def test_ends_first_becomes_a_rule() -> None:
     lesson = learn([shown(r, k, o) for k, (r, o) in enumerate(zip(ROWS, orders, strict=False))])
     assert FillOrder(Filling.ENDS_FIRST) in lesson.rules
     assert len(lesson.confidences) == len(lesson.rules)
+
+
+def test_an_exercise_may_ask_for_an_order_of_placement_and_for_nothing_else() -> None:
+    orders = ((0, 4, 1, 3, 2), (4, 0, 1, 3, 2), (0, 4, 3, 1, 2))
+    lesson = learn([shown(r, k, o) for k, (r, o) in enumerate(zip(MIXED, orders, strict=True))])
+    assert lesson.rules == (FullRow(), FillOrder(Filling.ENDS_FIRST))
+    # Where any row will do an order must be asked for.
+    assert lesson.belief.orders[None] < dict(lesson.belief.filling)[None]
+
+
+def test_any_row_in_any_order_is_no_exercise() -> None:
+    belief = learn([shown(tokens, turn) for turn, tokens in enumerate(MIXED)]).belief
+    free = sum(weight for one, weight in belief.weighted if not one.parts)
+    assert free < 0.05
+    assert sum(belief.orders.values()) == pytest.approx(1.0)
 
 
 @pytest.mark.parametrize("reply", [Reply.YES, Reply.NO, Reply.UNSURE])

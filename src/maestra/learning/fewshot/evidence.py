@@ -15,6 +15,7 @@ import numpy as np
 from maestra.core.demonstration import Demonstration
 from maestra.core.state import State
 from maestra.core.tokens import TokenId
+from maestra.learning.fewshot.filling import Fillings, another_order, fillings, out_of_order
 from maestra.learning.fewshot.posterior import Answered, Layout
 from maestra.learning.fewshot.proposals import Survivor, surviving
 from maestra.learning.fewshot.sampled import sampled
@@ -109,10 +110,18 @@ class Evidence:
     def contexts(self) -> tuple[Context, ...]:
         """Those of what was shown and answered; at last one that starts elsewhere."""
         seen = [Context(*place, self._rows(*place)) for place in self._places]
-        other = elsewhere(self.plays[0].setting)
-        # Placed the other way round, so that what is meant in time differs from the row.
-        back = seen[0].order[::-1]
-        return (*seen, Context(other, back, self._rows(other, back)))
+        first, other = seen[0], elsewhere(self.plays[0].setting)
+        order = another_order(first.order, self.fillings)
+        if order == first.order:
+            # The row from the other side, so that what is meant in time differs from it.
+            back = order[::-1]
+            seen.append(Context(first.setting, back, self._rows(first.setting, back)))
+        return (*seen, Context(other, order, self._rows(other, order)))
+
+    @cached_property
+    def fillings(self) -> Fillings:
+        """How likely each order of placement is asked for."""
+        return fillings(self.plays, self.answers)
 
     @cached_property
     def layouts(self) -> tuple[Layout, ...]:
@@ -182,9 +191,10 @@ class Evidence:
         rows = self.contexts[context].rows
         asked = _matching(rows, position, whole=isinstance(answer.question, RowQuestion))
         yes = answer.reply is Reply.YES
+        late = out_of_order(position, self.fillings)
         if answer.wrong is None:
-            return Answered(context, asked, yes)
-        return Answered(context, asked, yes, _mended(rows, position), answer.wrong)
+            return Answered(context, asked, yes, late)
+        return Answered(context, asked, yes, late, _mended(rows, position), answer.wrong)
 
     @cached_property
     def _sampled(self) -> dict[Setting, Rows]:

@@ -7,18 +7,22 @@ people who may fill anyhow would fill so. A person keeps to a habit through all 
 from __future__ import annotations
 
 from collections.abc import Sequence
+from typing import Final, TypeAlias
 
 import numpy as np
 
 from maestra.learning.fewshot.prior import FILLING, HABITS, SLIP, TRUST
 from maestra.rules.answers import Answer, Reply, RowQuestion, RuleQuestion
 from maestra.rules.forms.timing import Filling, FillOrder
-from maestra.rules.setting import Play
+from maestra.rules.setting import Index, Play
+
+Fillings: TypeAlias = tuple[tuple[Filling | None, float], ...]
+"""How likely each order of placement is asked for, likeliest first; None: none is."""
+ASKED: Final = 0.05
+"""From then on rows are asked about in the order that may be asked for."""
 
 
-def fillings(
-    plays: Sequence[Play], answers: Sequence[Answer]
-) -> tuple[tuple[Filling | None, float], ...]:
+def fillings(plays: Sequence[Play], answers: Sequence[Answer]) -> Fillings:
     """How likely each order of placement is asked for, likeliest first; None: none is."""
     scores = {filling: share * _shown(plays, filling) for filling, share in FILLING.items()}
     for answer in answers:
@@ -36,6 +40,27 @@ def fillings(
     total = sum(scores.values())
     ranked = sorted(scores.items(), key=lambda one: -one[1])
     return tuple((filling, score / total) for filling, score in ranked)
+
+
+def another_order(order: Sequence[Index], known: Fillings) -> tuple[Index, ...]:
+    """All goal cells the other way round, or as is likely to be asked for if something is.
+
+    Where cells are filled in an order that is wrong, a "no" says nothing of the row.
+    """
+    filling, share = next(one for one in known if one[0] is not None)
+    if filling is None or share < ASKED:
+        return tuple(order[::-1])
+    keys = FillOrder(filling).keys(len(order))
+    return tuple(sorted(order[::-1], key=lambda cell: keys[cell]))
+
+
+def out_of_order(position: Play, known: Fillings) -> float:
+    """How likely it is that an order is asked for which the position does not keep to."""
+    return sum(
+        share
+        for filling, share in known
+        if filling is not None and not FillOrder(filling).holds(position)
+    )
 
 
 def _shown(plays: Sequence[Play], filling: Filling | None) -> float:

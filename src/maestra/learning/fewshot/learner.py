@@ -12,7 +12,7 @@ from typing import Final
 
 from maestra.core.demonstration import Demonstration
 from maestra.learning.fewshot.evidence import Evidence
-from maestra.learning.fewshot.lesson import Belief, Hypothesis, Lesson, Slip
+from maestra.learning.fewshot.lesson import Belief, Class, Hypothesis, Lesson, Slip
 from maestra.learning.fewshot.prior import LEARNED_AT
 from maestra.learning.fewshot.slips import wrong_move
 from maestra.learning.fewshot.space import follows
@@ -53,23 +53,23 @@ def learn(
 
 def _told(evidence: Evidence, belief: Belief) -> Lesson:
     """What is believed, in rules."""
-    filling, sure = belief.filling[0]
     length: tuple[Rule, ...] = (FullRow(),) if belief.full else ()
-    order: tuple[Rule, ...] = () if filling is None else (FillOrder(filling),)
     best = belief.classes[0]
+    order, sure = _order(belief, best)
     rules = belief.rules_of(best)
     # Whether a demonstration was a slip makes no difference to what is meant.
     meant = sum(w for one, w in belief.weighted if one.allows_the_same(best))
     confidence = sure * meant
     sures = (_sure(belief, rule) for rule in rules)
     alternatives = tuple(
-        Hypothesis((*length, *belief.rules_of(one), *order), weight * sure)
+        Hypothesis((*length, *belief.rules_of(one), *its_order), weight * its_sure)
         for one, weight in belief.weighted[1 : ALTERNATIVES + 1]
+        for its_order, its_sure in (_order(belief, one),)
     )
     return Lesson(
         _status(evidence, belief, confidence),
         (*length, *rules, *order),
-        (*(1.0 for _ in length), *sures, *(sure for _ in order)),
+        (*(1.0 for _ in length), *sures, *(belief.orders[rule.filling] for rule in order)),
         confidence,
         alternatives,
         _slips(evidence, belief),
@@ -78,6 +78,13 @@ def _told(evidence: Evidence, belief: Belief) -> Lesson:
         evidence.answers,
         belief,
     )
+
+
+def _order(belief: Belief, one: Class) -> tuple[tuple[FillOrder, ...], float]:
+    """The order of placement that goes with a class, if one is asked for, and how sure that is."""
+    orders = belief.orders_of(one)
+    filling = max(orders, key=lambda each: orders[each])
+    return () if filling is None else (FillOrder(filling),), orders[filling]
 
 
 def _status(evidence: Evidence, belief: Belief, confidence: float) -> LearnStatus:

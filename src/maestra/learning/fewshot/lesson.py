@@ -8,6 +8,7 @@ from functools import cached_property
 import numpy as np
 
 from maestra.core.demonstration import Demonstration
+from maestra.learning.fewshot.prior import ALONE
 from maestra.learning.fewshot.space import Context, Words
 from maestra.learning.fewshot.truths import Truths
 from maestra.rules.answers import Answer
@@ -87,7 +88,7 @@ class Belief:
     weights: tuple[float, ...]
     """Of the classes; what is missing to one is `outside`."""
     filling: tuple[tuple[Filling | None, float], ...]
-    """Orders of placement, likeliest first."""
+    """Orders of placement, likeliest first, whatever the row must be."""
     outside: float
     """How likely it is that the exercise is about something that cannot be said."""
     full: bool
@@ -102,6 +103,27 @@ class Belief:
         """The rules of a class, without the length and the order of placement."""
         rules = (rule for p in one.parts for rule in self.truths.survivors[p].rules)
         return tuple(dict.fromkeys(rules))
+
+    def orders_of(self, one: Class) -> dict[Filling | None, float]:
+        """How likely each order of placement is asked for, if that class is right.
+
+        An exercise asks for something: where any row will do, for an order.
+        """
+        none, some = (1.0, 1 - ALONE) if one.parts else (0.0, 1.0)
+        shares = {
+            order: share * (none if order is None else some) for order, share in self.filling
+        }
+        total = sum(shares.values())
+        return {order: share / total for order, share in shares.items()}
+
+    @cached_property
+    def orders(self) -> dict[Filling | None, float]:
+        """How likely each order of placement is asked for."""
+        found = {filling: share * self.outside for filling, share in self.filling}
+        for one, weight in self.weighted:
+            for filling, share in self.orders_of(one).items():
+                found[filling] += weight * share
+        return found
 
     @property
     def asked_in(self) -> tuple[int, ...]:

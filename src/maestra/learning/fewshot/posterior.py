@@ -61,6 +61,8 @@ class Answered:
     rows: Words
     """The row, or all rows that a move leaves open."""
     yes: bool
+    out_of_order: float = 0.0
+    """How likely it was a "no" to the order in which the tokens were placed."""
     mended: tuple[Words, ...] = ()
     """For each goal cell, the rows that differ from the one asked about by a mistake there."""
     wrong: int | None = None
@@ -293,7 +295,9 @@ class Search:
         for answer in self.answers:
             at = self.needed.index(answer.context)
             says = (words[at] & answer.rows).any(axis=1)
-            bits_ -= np.where(says == answer.yes, log2(TRUST), log2(1 - TRUST))
+            agreed = TRUST + answer.out_of_order * (1 - 2 * TRUST)
+            yes = np.where(says, agreed, 1 - TRUST)
+            bits_ -= np.log2(yes if answer.yes else 1 - yes)
             if answer.wrong is not None:
                 bits_ -= np.log2(_pointed_at(answer, answer.wrong, words[at]))
         return Frontier(parts, words, bits_)

@@ -255,6 +255,8 @@ FILLING: Final[Mapping[Filling | None, float]] = MappingProxyType(
     }
 )
 """How often an exercise asks for an order of placement; nobody has to be told the usual one."""
+ALONE: Final = 0.5
+"""How many of those ask for nothing else: any row will do, filled in that order."""
 
 HABITS: Final[Mapping[Filling | None, float]] = MappingProxyType(
     {

@@ -169,7 +169,7 @@ def _rules(lesson: Lesson, kinds: Collection[QuestionKind]) -> Iterator[_Candida
         yes = np.array([follows(one.words, truth) for one in considered])
         worth = float(information(np.array(weights @ yes), outside))
         yield _Candidate(worth / EFFORT[QuestionKind.RULE], RuleQuestion(rule))
-    for filling, share in belief.filling:
+    for filling, share in belief.orders.items():
         if filling is not None:
             worth = float(information(np.array(share)))
             yield _Candidate(worth / EFFORT[QuestionKind.RULE], RuleQuestion(FillOrder(filling)))

@@ -15,10 +15,11 @@ from math import log2
 import numpy as np
 
 from maestra.learning.fewshot.evidence import Evidence
-from maestra.learning.fewshot.filling import fillings
 from maestra.learning.fewshot.lesson import Belief, Class
 from maestra.learning.fewshot.posterior import Found, Numbers, Search
 from maestra.learning.fewshot.prior import (
+    ALONE,
+    FREE_BITS,
     LAZY,
     NEAREST,
     OUTSIDE_BITS,
@@ -52,15 +53,23 @@ class _Weighing:
             replace(one, bits=one.bits + self._habits(one.words) + self._meaning(one.words))
             for one in self._merged(search.best())
         ]
-        bits = np.array([*(one.bits for one in classes), self._of_nothing()])
+        filling = evidence.fillings
+        free = dict(filling)[None]
+        asked = sum(share for order, share in filling if order is not None)
+        nothing = -self._of_nothing()
+        for k, one in enumerate(classes):
+            if one.parts:
+                with_order = log2(free + (1 - ALONE) * asked)
+                classes[k] = replace(one, bits=one.bits - with_order)
+            else:
+                # Any row in any order is no exercise: it is about something that cannot be said.
+                # Any row in a certain order is one.
+                nothing = float(np.logaddexp2(nothing, log2(free) - one.bits))
+                alone = log2(ALONE * asked) + FREE_BITS
+                classes[k] = replace(one, bits=one.bits - alone)
+        bits = np.array([*(one.bits for one in classes), -nothing])
         weights = np.exp2(-(bits - bits.min()))
         weights /= weights.sum()
-        filling = fillings(evidence.plays, evidence.answers)
-        # Any row in any order is no exercise: so far it is about something that cannot be said.
-        free = np.array([not one.parts for one in classes])
-        idle = weights[:-1] * free * dict(filling)[None]
-        weights[:-1] -= idle
-        weights[-1] += idle.sum()
         order = np.argsort(-weights[:-1], kind="stable")
         return Belief(
             evidence.plays,
