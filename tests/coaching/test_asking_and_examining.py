@@ -13,6 +13,7 @@ from maestra.language import Language
 from maestra.language.teaching import Teacher
 from maestra.learning.contradictions import Contradiction, Said, Shown, Understood
 from maestra.learning.dialogue import (
+    Ask,
     AskAgain,
     AskCell,
     AskQuestion,
@@ -38,6 +39,7 @@ from maestra.rules.telling import dealt, told_exercise
 BOARD = Board()
 START: State = dealt(NUMBER_DECK, BOARD)
 TEACHER = Teacher(Language.EN, BOARD, NUMBER_DECK)
+BOUND = "With 95 % confidence fewer than 46 % of my plays would be wrong."
 RISING = Ordered("value", Direction.RISING)
 FALLING = Ordered("value", Direction.FALLING)
 
@@ -62,8 +64,8 @@ def dialogue() -> Dialogue:
     return replace(begun, answers=(Answer(ROW, Reply.NO), Answer(RULE, Reply.YES)))
 
 
-def asking(dialogue: Dialogue, ask: object) -> str:
-    return question_text(replace(dialogue, ask=ask), TEACHER)  # type: ignore[arg-type] # any of the asks
+def asking(dialogue: Dialogue, ask: Ask) -> str:
+    return question_text(replace(dialogue, ask=ask), TEACHER)
 
 
 def test_each_thing_that_is_asked_has_its_sentence(dialogue: Dialogue) -> None:
@@ -118,8 +120,7 @@ def test_what_is_new_and_what_is_gone_is_told() -> None:
         (
             Exam("d", 5, 5, 3, 2),
             (
-                "You agreed with 5 of 5 plays. With 95 % confidence fewer than 46 % of my plays "
-                + "would be wrong.",
+                f"You agreed with 5 of 5 plays. {BOUND}",
                 "Of 3 rows that I hold for wrong you called 2 wrong too.",
             ),
         ),
