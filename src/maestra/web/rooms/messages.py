@@ -125,6 +125,9 @@ class StateJson(BaseModel):
     ]
     language: str
     moves: Annotated[int, Field(description="The patient's own right ones.")]
+    another_round: Annotated[
+        bool, Field(description="Whether the sitting has a round more, which may begin now.")
+    ]
     has_board: Annotated[
         bool, Field(description="Whether a board has joined; then screens only show it.")
     ]

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import secrets
 from collections.abc import Mapping
+from contextlib import suppress
 from dataclasses import dataclass
 from http import HTTPStatus
 from types import MappingProxyType
@@ -44,8 +45,8 @@ from maestra.web.paths import PATIENT_PAGE
 from maestra.web.rooms.guests import Guest, GuestHere
 from maestra.web.rooms.messages import Told
 from maestra.web.rooms.room import Room
-from maestra.web.rooms.rooms import Rooms, RoomsHere
-from maestra.web.rooms.stage import RoomState
+from maestra.web.rooms.rooms import Rooms, RoomsHere, TakenError
+from maestra.web.rooms.stage import RoomState, Scenery
 from maestra.web.rooms.telling import Entered, tell
 
 router: Final = APIRouter()
@@ -55,6 +56,8 @@ WISHES: Final[Mapping[str, Event]] = MappingProxyType(
     {"begin": Begun(), "help": HelpAsked(), "done": DoneSaid(), "go-on": Resumed()}
 )
 """What the patient's buttons tell."""
+AGAIN: Final = "again"
+"""The one button that is no event of the session: it begins the next one."""
 SCAN_MS: Final = 1_500
 """With one switch: how long each row or cell is offered."""
 WAITS_S: Final = 5
@@ -71,7 +74,7 @@ class Press:
 
 
 def _pressed(
-    wish: Annotated[Literal["", "begin", "help", "done", "go-on"], Form()] = "",
+    wish: Annotated[Literal["", "begin", "help", "done", "go-on", "again"], Form()] = "",
     cell: Annotated[str, Form(pattern=r"^(\d{1,3},\d{1,3})?$")] = "",
     token: Annotated[str, Form(max_length=MAX_TEXT)] = "",
 ) -> Press:
@@ -84,15 +87,15 @@ Pressing = Annotated[Press, Depends(_pressed)]
 @router.get("/rooms/{name}", include_in_schema=False)
 def room_page(room: Entered, request: Request) -> Response:
     """The patient's page, for the caregiver's computer."""
-    return _page(request, room.state, room.start, f"/api/rooms/{room.name}/stream")
+    return _page(request, room.state, room.scenery, f"/api/rooms/{room.name}/stream")
 
 
 @router.post("/rooms/{name}", include_in_schema=False)
 def press_in_room(
-    room: Entered, guest: GuestHere, request: Request, pressed: Pressing
+    room: Entered, rooms: RoomsHere, guest: GuestHere, request: Request, pressed: Pressing
 ) -> Response:
     """A button or a cell was pressed on a page without script."""
-    let_happen(room, guest, pressed)
+    _press(rooms, room, guest, pressed)
     return RedirectResponse(request.url.path, HTTPStatus.SEE_OTHER)
 
 
@@ -100,10 +103,10 @@ def press_in_room(
 def screen_page(screen: OnScreen, rooms: RoomsHere, context: Here, request: Request) -> Response:
     """The page of a patient's screen: their session wherever it is, else a kind word."""
     room = _of_screen(rooms, screen)
-    if room is None or room.start is None:
+    if room is None or room.scenery is None:
         pages = Pages(request, _language_of(context, screen, request))
         return pages.page("patient/waiting.html", stream=SCREEN_STREAM, waits_s=WAITS_S)
-    return _page(request, room.state, room.start, SCREEN_STREAM)
+    return _page(request, room.state, room.scenery, SCREEN_STREAM)
 
 
 @router.post(PATIENT_PAGE, include_in_schema=False)
@@ -113,7 +116,7 @@ def press_on_screen(
     """A button or a cell was pressed on a screen without script."""
     room = _of_screen(rooms, screen)
     if room is not None:
-        let_happen(room, guest, pressed)
+        _press(rooms, room, guest, pressed)
     return RedirectResponse(PATIENT_PAGE, HTTPStatus.SEE_OTHER)
 
 
@@ -133,16 +136,18 @@ def _of_screen(rooms: Rooms, screen: Device) -> Room | None:
     return None if screen.patient is None else rooms.of(screen.patient)
 
 
-def _page(request: Request, state: RoomState, start: Start | None, stream: str) -> Response:
-    if start is None:
+def _page(request: Request, state: RoomState, scenery: Scenery | None, stream: str) -> Response:
+    if scenery is None:
         pages = Pages(request, language_of(request))
         return pages.page("patient/waiting.html", stream=stream, waits_s=WAITS_S)
-    settings = start.settings
+    start, settings = scenery.start, scenery.start.settings
     view = board_view(
         start.state.board,
         start.deck,
         state.cells or {},
         language=settings.language,
+        lexicon=scenery.lexicon,
+        pictures=scenery.pictures,
         held=state.held[-1] if state.held else None,
         pointed=state.pointed,
     )
@@ -165,7 +170,17 @@ def _facts(state: RoomState) -> frozenset[str]:
         facts.add("speech")
     if not state.connected:
         facts.add("lost")
+    if state.another_round:
+        facts.add("another-round")
     return frozenset(facts)
+
+
+def _press(rooms: Rooms, room: Room, guest: Guest, pressed: Press) -> None:
+    if pressed.wish == AGAIN:
+        with suppress(TakenError):  # pressed twice: it has begun
+            rooms.once_more(room)
+    else:
+        let_happen(room, guest, pressed)
 
 
 def let_happen(room: Room, guest: Guest, pressed: Press) -> None:

@@ -28,12 +28,14 @@ from maestra.coaching.events import (
     encode_event,
 )
 from maestra.coaching.fields import Milliseconds
-from maestra.coaching.ports import Entry, PatientId, Store, StoredSession
+from maestra.coaching.ports import Entry, PatientId, StoredSession
 from maestra.coaching.recording import Start
 from maestra.coaching.running import Running
 from maestra.coaching.session import Phase, Session, due
 from maestra.coaching.settings import Settings
 from maestra.coaching.sitting import rise
+from maestra.storage.drafts import Drafts
+from maestra.storage.store import SqlStore
 from maestra.web.clock import Clock
 from maestra.web.rooms.listeners import Listener
 from maestra.web.rooms.stage import RoomName, RoomState, Said, Scenery, Stage
@@ -76,7 +78,7 @@ class Room:
     """A place where patients play, one after the other. All methods are for any thread."""
 
     def __init__(
-        self, name: RoomName, store: Store, clock: Clock, *, can_speak: bool = False
+        self, name: RoomName, store: SqlStore, clock: Clock, *, can_speak: bool = False
     ) -> None:
         """Empty as yet; `can_speak`: whether sentences can be heard."""
         self.name: Final = name
@@ -117,6 +119,11 @@ class Room:
         return None if self._play is None else self._play.scenery.start
 
     @property
+    def scenery(self) -> Scenery | None:
+        """What that session looks like."""
+        return None if self._play is None else self._play.scenery
+
+    @property
     def patient(self) -> PatientId | None:
         """Who plays, or played last."""
         return None if self._play is None else self._play.stored.patient
@@ -126,14 +133,19 @@ class Room:
         """Whether somebody plays here or follows the room."""
         return self._state.is_under_way or bool(self._listeners)
 
-    def begin(self, stored: StoredSession, start: Start) -> None:
+    def begin(self, stored: StoredSession, start: Start, number: int = 1) -> None:
         """Let a session begin that the store knows already; who follows the room sees it.
+
+        Args:
+            stored: the session.
+            start: what it follows from.
+            number: which round of the sitting it is.
 
         Raises:
             OSError: the start cannot be kept.
         """
         with self._lock:
-            self._seat(stored, start, Stage())
+            self._seat(stored, start, Stage(), number)
             for listener in self._listeners:
                 if listener.follows is not None:
                     listener.end()  # also of the same patient: all begins anew
@@ -252,11 +264,16 @@ class Room:
 
     # ------------------------------------------------------------ within
 
-    def _seat(self, stored: StoredSession, start: Start, stage: Stage) -> _Play:
+    def _seat(self, stored: StoredSession, start: Start, stage: Stage, number: int = 1) -> _Play:
         running = Running(
             stored.session, start, ReplayBoard(()), (), self._store.events, self._utc()
         )
-        scenery = Scenery.of(self.name, stored.session, start, can_speak=self._can_speak)
+        shown = Drafts(self._store).shown(stored.exercise, stored.version)
+        pictures = {value: f"/pictures/{digest}" for value, digest in shown.items()}
+        can_speak = self._can_speak
+        scenery = Scenery.of(
+            self.name, stored.session, start, pictures, number=number, can_speak=can_speak
+        )
         begun = Milliseconds(self._clock.monotonic() - running.session.now)
         play = _Play(stored, scenery, running, stage, begun)
         self._play = play

@@ -15,7 +15,8 @@ from anyio import to_thread
 from fastapi import Depends
 from starlette.requests import HTTPConnection
 
-from maestra.coaching.ports import PatientId, SessionId, Store, StoredSession
+from maestra.coaching.events import Begun
+from maestra.coaching.ports import PatientId, SessionId, StoredSession
 from maestra.coaching.recording import decode_start
 from maestra.coaching.remembered import Remembered
 from maestra.coaching.settings import Profile, settings_for
@@ -24,6 +25,7 @@ from maestra.core.faults import InvalidError
 from maestra.core.json_lines import FormatError
 from maestra.language import Language
 from maestra.rules.exercise_format import decode_exercise
+from maestra.storage.store import SqlStore
 from maestra.web.clock import Clock
 from maestra.web.rooms.room import NobodyPlaysError, Room, TooManyEventsError
 from maestra.web.rooms.stage import RoomName
@@ -48,7 +50,7 @@ class NoRoomLeftError(Exception):
 class Rooms:
     """Every room by its name. All methods are for any thread."""
 
-    def __init__(self, store: Store, clock: Clock, *, can_speak: bool = False) -> None:
+    def __init__(self, store: SqlStore, clock: Clock, *, can_speak: bool = False) -> None:
         """The rooms in which sessions were under way when the server was stopped go on, paused."""
         self._store = store
         self._clock = clock
@@ -90,33 +92,30 @@ class Rooms:
             NoRoomLeftError: there are too many rooms.
             OSError: it cannot be kept.
         """
-        found = self._store.exercise(exercise, version)
-        chosen = Chosen(found.name, found.version, decode_exercise(found.exercise.encode()))
-        try:
-            known = known_patient(self._store, patient)
-        except KeyError:
-            known = Remembered(settings_for(Profile(), language))
         with self._lock:
             there = self.of(patient)
             if there is not None and there.state.is_under_way:
                 raise TakenError(patient)
             place = self.place(self._free() if room is None else room)
-            if place.state.is_under_way:
-                raise TakenError(place.name)
-            utc = self._clock.utc().isoformat(timespec="milliseconds")
-            sitting = sit_down(
-                SessionId(f"room-{place.name}-{secrets.token_hex(8)}"),
-                patient,
-                chosen,
-                known,
-                seed=secrets.randbits(64),
-                utc=utc,
-            )
-            sitting.keep(self._store)
-            place.begin(sitting.stored, sitting.start)
-            for other in {self.lobby, *self.all()} - {place}:
-                other.dismiss(patient)
+            self._begin(place, patient, self._chosen(exercise, version), language)
             return place
+
+    def once_more(self, place: Room) -> None:
+        """Begin the sitting's next round in a room; somebody sits there, so it begins at once.
+
+        Raises:
+            TakenError: there is none, or it has begun already.
+            InvalidError: the exercise cannot be played on its board.
+            OSError: it cannot be kept.
+        """
+        with self._lock:
+            stored, scenery = place.stored, place.scenery
+            if stored is None or scenery is None or not place.state.another_round:
+                raise TakenError(place.name)
+            chosen = self._chosen(stored.exercise, stored.version)
+            language = scenery.start.settings.language
+            self._begin(place, stored.patient, chosen, language, scenery.round + 1)
+            place.tell(Begun())
 
     def place(self, name: RoomName) -> Room:
         """The room of this name, perhaps empty.
@@ -176,6 +175,37 @@ class Rooms:
                 await task
 
     # ------------------------------------------------------------ within
+
+    def _chosen(self, exercise: str, version: int | None) -> Chosen:
+        found = self._store.exercise(exercise, version)
+        return Chosen(found.name, found.version, decode_exercise(found.exercise.encode()))
+
+    def _begin(
+        self,
+        place: Room,
+        patient: PatientId,
+        chosen: Chosen,
+        language: Language,
+        number: int = 1,
+    ) -> None:
+        if place.state.is_under_way:
+            raise TakenError(place.name)
+        try:
+            known = known_patient(self._store, patient)
+        except KeyError:
+            known = Remembered(settings_for(Profile(), language))
+        sitting = sit_down(
+            SessionId(f"room-{place.name}-{secrets.token_hex(8)}"),
+            patient,
+            chosen,
+            known,
+            seed=secrets.randbits(64),
+            utc=self._clock.utc().isoformat(timespec="milliseconds"),
+        )
+        sitting.keep(self._store)
+        place.begin(sitting.stored, sitting.start, number)
+        for other in {self.lobby, *self.all()} - {place}:
+            other.dismiss(patient)
 
     async def _tick_for_ever(self) -> None:
         while True:

@@ -27,12 +27,12 @@ from maestra.coaching.commands import (
 )
 from maestra.coaching.notes import Note
 from maestra.coaching.recording import Start
-from maestra.coaching.session import Session
+from maestra.coaching.session import Ending, Session
 from maestra.coaching.settings import Modality
 from maestra.coaching.table import Table
 from maestra.core.board import Board, Cell
 from maestra.core.tokens import TokenId
-from maestra.language import Language
+from maestra.language import NO_LEXICON, Language, Lexicon, read_words
 from maestra.web.board_view import tokens_by_id
 from maestra.web.token_view import TokenView
 
@@ -113,6 +113,8 @@ class RoomState:
     """The patient's own right ones."""
     speaks: bool = False
     """Whether what is said can be heard, and is to be."""
+    another_round: bool = False
+    """Whether the sitting has a round more, which may begin now."""
     has_board: bool = False
     """Whether a board has joined; then screens show it, and nothing is moved on them."""
 
@@ -168,6 +170,7 @@ class RoomState:
             "awaiting": [encode_command(one) for one in self.awaiting],
             "language": self.language.value,
             "moves": self.moves,
+            "another_round": self.another_round,
             "has_board": self.has_board,
         }
 
@@ -180,15 +183,40 @@ class Scenery:
     start: Start
     session: str
     tokens: Mapping[TokenId, TokenView]
+    pictures: Mapping[str, str]
+    """What tokens show under `picture`, to the addresses of pictures."""
+    lexicon: Lexicon
+    round: int
+    """Of the sitting, from 1."""
     speaks: bool
 
     @classmethod
-    def of(cls, room: RoomName, session: str, start: Start, *, can_speak: bool) -> Scenery:
-        """Made once, when the session begins; `can_speak`: whether there is a voice at all."""
+    def of(
+        cls,
+        room: RoomName,
+        session: str,
+        start: Start,
+        pictures: Mapping[str, str],
+        *,
+        number: int,
+        can_speak: bool,
+    ) -> Scenery:
+        """Made once, when the session begins.
+
+        Args:
+            room: where it is played.
+            session: its id.
+            start: what it follows from.
+            pictures: what tokens show under `picture`, to the addresses of pictures.
+            number: which round of the sitting it is, from 1.
+            can_speak: whether there is a voice at all.
+        """
         settings = start.settings
-        tokens = tokens_by_id(start.deck, start.state.board, settings.language)
+        lexicon = NO_LEXICON if start.words is None else read_words(start.words.encode())
+        board = start.state.board
+        tokens = tokens_by_id(start.deck, board, settings.language, lexicon, pictures)
         speaks = can_speak and Modality.SPEECH in settings.modalities
-        return cls(room, start, session, tokens, speaks)
+        return cls(room, start, session, tokens, pictures, lexicon, number, speaks)
 
     def state(self, session: Session, stage: Stage) -> RoomState:
         """The room's state: nothing but what follows from these."""
@@ -217,6 +245,8 @@ class Scenery:
             language=self.start.settings.language,
             moves=session.tally.moves,
             speaks=self.speaks,
+            another_round=session.ending is Ending.COMPLETE
+            and self.round < self.start.settings.rounds,
         )
 
 

@@ -74,7 +74,7 @@ const EDGE_PX = 48;
  *   said: Said | null, expression: string, pointed: [number, number][],
  *   view: {view: string, tokens: string[], lines: string[]} | null,
  *   question: {number: number, matter: string, text: string} | null,
- *   language: string, moves?: number, has_board?: boolean,
+ *   language: string, moves?: number, has_board?: boolean, another_round?: boolean,
  *   awaiting?: {number: number, token: string, destination: [number, number]}[],
  * }} State
  */
@@ -1311,6 +1311,7 @@ function when(state) {
     ...(state.question ? ["question", `matter-${state.question.matter}`] : []),
     ...(state.said?.speech ? ["speech"] : []),
     ...(state.connected ? [] : ["lost"]),
+    ...(state.another_round ? ["another-round"] : []),
   ]);
   for (const part of all("[data-when]")) {
     part.hidden = !(part.dataset["when"] ?? "").split(" ").some((fact) => facts.has(fact));
