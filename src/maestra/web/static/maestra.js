@@ -25,7 +25,8 @@
  *   button[data-event]    tells the stream this event, a JSON; `answered` gets its question
  *   button[data-replay]   says the last sentence again
  *   [data-refresh=NUMBER] the page shows the stream's state of this number; once there is a later
- *                         one, the page is asked for again, for what only the server can say
+ *                         one, the page is asked for again, for what only the server can say;
+ *                         [data-of] on it tells sessions apart, whose numbers begin anew
  *
  * Sections: values · pages · forms · tokens · the board · fingers and mouse · keyboard · one
  * switch · the stream · what the stream shows · start.
@@ -175,6 +176,8 @@ class Morph {
 
   /** @param {Element} old @param {Element} fresh */
   element(old, fresh) {
+    // What is being read aloud is the browser's.
+    if (old.id === "announcer") return;
     const said = saidOf(old);
     for (const { name } of [...old.attributes]) {
       // Whether a reader has opened something is the reader's.
@@ -271,6 +274,7 @@ async function show(answer, sent, keeps = false) {
   await Board.allFree();
   // With more on its way this is no longer how things are.
   if (sending.waiting) return;
+  if (isOlder(fresh)) return;
   const address = new URL(answer.url);
   // What is refused has the address of what was asked for, and that is no page.
   const moves = answer.ok && address.href !== location.href;
@@ -296,6 +300,14 @@ async function show(answer, sent, keeps = false) {
   glide(before);
   if (elsewhere) scrollTo(0, 0);
   refocus(focused);
+}
+
+/** Whether the page that is there shows a later state of the same session. @param {Document} fresh */
+function isOlder(fresh) {
+  const [now] = all("[data-refresh]");
+  const [then] = all("[data-refresh]", fresh);
+  if (!now || !then || now.dataset["of"] !== then.dataset["of"]) return false;
+  return Number(then.dataset["refresh"]) < Number(now.dataset["refresh"]);
 }
 
 /** Keep the focus, or put it where the reader goes on. @param {Element | null} focused */
