@@ -15,6 +15,7 @@ from tests.storage.played import keep_session
 @pytest.fixture(autouse=True)
 def kept(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     """A record with the sessions of two patients, where the environment says."""
+    monkeypatch.setenv("LC_ALL", "C")
     monkeypatch.setenv(DATA_VARIABLE, str(tmp_path / "data"))
     monkeypatch.setenv(KEYS_VARIABLE, str(tmp_path / "keys"))
     with contextlib.closing(open_store(place())) as store:
@@ -106,6 +107,29 @@ def test_a_patient_is_erased_once_it_is_confirmed() -> None:
     assert ran.code == 0, ran
     assert maestra("patients", "list").out == "plover\nwren\n"
     assert maestra("store", "verify").code == 0
+
+
+@pytest.mark.parametrize(("lang", "no", "yes"), [("es", b"y\n", "Sí\n"), ("ca", b"\n", "s\n")])
+def test_the_record_speaks_the_users_language(
+    kept: Path, monkeypatch: pytest.MonkeyPatch, lang: str, no: bytes, yes: str
+) -> None:
+    monkeypatch.setenv("LC_ALL", f"{lang}_ES.UTF-8")
+    assert maestra("store", "verify").out.startswith("ínte")
+    assert maestra("store", "verify", "--lang", "en").out.startswith("sound")
+    where = {"es": ("filas", "sucesos", "Nombre"), "ca": ("files", "esdeveniments", "Nom")}[lang]
+    assert where[0] in maestra("store", "backup", kept / "backup").out
+    assert where[2] in maestra("patients", "name", "heron", typed=b"Anna\n").err
+    refused = maestra("patients", "erase", "heron", typed=no)
+    assert refused.code != 0
+    assert "heron" in refused.err
+    assert maestra("patients", "erase", "heron", typed=yes.encode()).code == 0
+    new = ("--data", kept / "new", "--keys", kept / "keys")
+    assert where[1] in maestra("store", "restore", kept / "backup", *new).out
+    (heads,) = kept.glob("keys/*/heads.jsonl")
+    heads.unlink()
+    spoilt = maestra("store", "verify")
+    assert spoilt.code == 1
+    assert "sound" not in spoilt.out
 
 
 @pytest.mark.parametrize(

@@ -1,11 +1,14 @@
 """The commands on the record: `store`, `patients`, `report`; imported when they run."""
 
 from enum import Enum
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated
 
 import typer
 
 from maestra.cli.options import Json, Lang, LanguageName
+
+if TYPE_CHECKING:
+    from maestra.language import Language
 
 
 class ExportFormat(Enum):
@@ -34,18 +37,30 @@ Keys = Annotated[
         help="Where its keys are.  [default: $MAESTRA_KEYS, or your settings' folder]",
     ),
 ]
+OwnLang = Annotated[
+    LanguageName | None, typer.Option("--lang", help="The language.  [default: yours]")
+]
 Patient = Annotated[str, typer.Argument(metavar="PATIENT", help="A pseudonym.")]
+
+
+def chosen(lang: LanguageName | None) -> "Language":
+    """The language that was asked for, else the user's own."""
+    from maestra.cli.own_language import own_language
+    from maestra.language import Language
+
+    return own_language() if lang is None else Language(lang.value)
+
 
 store = typer.Typer(help="Check, back up, restore and export the record.")
 patients = typer.Typer(help="Who is kept, under which pseudonym; and erasing them.")
 
 
 @store.command()
-def verify(data: Data = None, keys: Keys = None, json: Json = False) -> None:
+def verify(data: Data = None, keys: Keys = None, lang: OwnLang = None, json: Json = False) -> None:
     """Say whether the record is what was written, up to the last signed head."""
     from maestra.cli import recording
 
-    recording.verify(data, keys, as_json=json)
+    recording.verify(data, keys, chosen(lang), as_json=json)
 
 
 @store.command()
@@ -57,11 +72,12 @@ def backup(
     ] = None,
     data: Data = None,
     keys: Keys = None,
+    lang: OwnLang = None,
 ) -> None:
     """Write a backup, which nobody can read without the keys."""
     from maestra.cli import recording
 
-    recording.backup(file, keys_file, data, keys)
+    recording.backup(file, keys_file, data, keys, chosen(lang))
 
 
 @store.command()
@@ -73,11 +89,12 @@ def restore(
     ] = None,
     data: Data = None,
     keys: Keys = None,
+    lang: OwnLang = None,
 ) -> None:
     """Make a backup a record again, at a place where there is none."""
     from maestra.cli import recording
 
-    recording.restore(file, keys_file, data, keys)
+    recording.restore(file, keys_file, data, keys, chosen(lang))
 
 
 @store.command()
@@ -114,11 +131,11 @@ def list_patients(
 
 
 @patients.command()
-def name(patient: Patient, data: Data = None, keys: Keys = None) -> None:
+def name(patient: Patient, data: Data = None, keys: Keys = None, lang: OwnLang = None) -> None:
     """Keep who a pseudonym is; the name is asked for, so that no list of commands has it."""
     from maestra.cli import recording
 
-    recording.name(patient, typer.prompt("Name", err=True), data, keys)
+    recording.name(patient, data, keys, chosen(lang))
 
 
 @patients.command()
@@ -142,13 +159,12 @@ def erase(
     yes: Annotated[bool, typer.Option("--yes", help="Do not ask.")] = False,
     data: Data = None,
     keys: Keys = None,
+    lang: OwnLang = None,
 ) -> None:
     """Erase a patient for ever: their key is destroyed, so no backup brings them back."""
-    if not yes:
-        typer.confirm(f"Erase everything of {patient}, for ever?", abort=True, err=True)
     from maestra.cli import recording
 
-    recording.erase(patient, data, keys)
+    recording.erase(patient, data, keys, chosen(lang), asks=not yes)
 
 
 def report(

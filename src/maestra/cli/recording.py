@@ -12,6 +12,9 @@ import typer
 from maestra.cli.streams import print_json, print_lines, write_file
 from maestra.coaching.ports import PatientId
 from maestra.core.faults import Fault, InvalidError
+from maestra.language import Language
+from maestra.language.record_keys import RecordKey as Key
+from maestra.language.records import record_sentence
 from maestra.storage import backup as backups
 from maestra.storage.chain import Sound, Tampered
 from maestra.storage.exports.bids import write_bids
@@ -24,7 +27,7 @@ from maestra.storage.store import SqlStore
 _FILES: Final = {"csv": write_csv, "jsonl": write_json_lines, "xes": write_xes}
 
 
-def verify(data: str | None, keys: str | None, *, as_json: bool) -> None:
+def verify(data: str | None, keys: str | None, language: Language, *, as_json: bool) -> None:
     """Say whether the record is sound; exit code 1 if not."""
     with _reading(data, keys) as store:
         found = store.verify()
@@ -37,12 +40,13 @@ def verify(data: str | None, keys: str | None, *, as_json: bool) -> None:
                 "recovered": recovered,
                 "heads": heads,
             }
-            line = f"sound: {signed} of {events} events are signed"
+            line = record_sentence(Key.SOUND, language, signed=signed, events=events)
             if recovered:
-                line += f", {recovered} of them only after a crash"
+                line += record_sentence(Key.RECOVERED, language, recovered=recovered)
         case Tampered(finding, sequence):
             fields = {"sound": False, "finding": finding.value, "at": sequence}
-            line = f"not sound: {finding.value} (at {sequence})"
+            what = record_sentence(Key[finding.name], language)
+            line = record_sentence(Key.NOT_SOUND, language, finding=what, sequence=sequence)
         case _:
             assert_never(found)
     if as_json:
@@ -53,22 +57,26 @@ def verify(data: str | None, keys: str | None, *, as_json: bool) -> None:
         raise typer.Exit(1)
 
 
-def backup(file: str, keys_file: str | None, data: str | None, keys: str | None) -> None:
+def backup(
+    file: str, keys_file: str | None, data: str | None, keys: str | None, language: Language
+) -> None:
     """Write a backup, and the keys if a file for them is named."""
     with _reading(data, keys) as store:
         count = backups.back_up(store, Path(file))
         if keys_file is not None:
             backups.back_up_keys(store, Path(keys_file))
-    print_lines([f"{file}: rows: {count}"])
+    print_lines([record_sentence(Key.BACKED_UP, language, file=file, count=count)])
 
 
-def restore(file: str, keys_file: str | None, data: str | None, keys: str | None) -> None:
+def restore(
+    file: str, keys_file: str | None, data: str | None, keys: str | None, language: Language
+) -> None:
     """Restore a backup."""
     where = place(data, keys)
     restored = backups.restore(Path(file), where, None if keys_file is None else Path(keys_file))
-    line = f"events: {restored.events}"
+    line = record_sentence(Key.RESTORED, language, events=restored.events)
     if restored.left_out:
-        line += f"; {restored.left_out} rows of erased patients left out"
+        line += record_sentence(Key.LEFT_OUT, language, count=restored.left_out)
     print_lines([line])
 
 
@@ -98,8 +106,9 @@ def list_patients(data: str | None, keys: str | None, *, names: bool, as_json: b
         print_lines(one if name is None else f"{one}\t{name}" for one, name in found.items())
 
 
-def name(patient: str, given: str, data: str | None, keys: str | None) -> None:
-    """Keep who a pseudonym is."""
+def name(patient: str, data: str | None, keys: str | None, language: Language) -> None:
+    """Ask who a pseudonym is, and keep it."""
+    given: str = typer.prompt(record_sentence(Key.ASK_NAME, language), err=True)
     with contextlib.closing(open_store(place(data, keys))) as store:
         store.save_name(PatientId(patient), given)
 
@@ -111,16 +120,21 @@ def everything(patient: str, output: str, data: str | None, keys: str | None) ->
     write_file(output, f"{text}\n")
 
 
-def erase(patient: str, data: str | None, keys: str | None) -> None:
-    """Erase a patient."""
+def erase(
+    patient: str, data: str | None, keys: str | None, language: Language, *, asks: bool
+) -> None:
+    """Erase a patient, once it is confirmed."""
+    if asks:
+        question = record_sentence(Key.ASK_ERASE, language, patient=patient)
+        answer: str = typer.prompt(question, default="", show_default=False, err=True)
+        if answer.strip().casefold() not in record_sentence(Key.YES, language).split():
+            raise typer.Abort
     with contextlib.closing(open_store(place(data, keys))) as store:
         try:
             store.erase(PatientId(patient))
         except KeyError:
             raise unknown(patient) from None
-    print_lines(
-        ["erased; delete yourself what you exported before, and files of keys written before"]
-    )
+    print_lines([record_sentence(Key.ERASED, language)])
 
 
 def unknown(patient: str) -> InvalidError:
