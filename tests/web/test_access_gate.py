@@ -273,6 +273,9 @@ def test_faults_are_told_to_people_in_their_language(
 
 def test_a_page_that_is_not_there_keeps_the_way_on(app: FastAPI, context: Context) -> None:
     ada = logged_in(app, context, "Ada", Role.RESEARCHER)
+    answer = ada.browser.get("/nowhere")
+    assert answer.status_code == 404
+    assert 'href="/library"' in answer.text
     answer = ada.browser.get("/accounts")
     assert answer.status_code == 403
     assert "You may not open this page" in answer.text

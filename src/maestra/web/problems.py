@@ -19,6 +19,7 @@ from starlette.websockets import WebSocketClose
 from maestra.coaching.fields import Milliseconds
 from maestra.core.faults import InvalidError
 from maestra.web.access import logins
+from maestra.web.access.present import perhaps
 from maestra.web.context import context_of
 from maestra.web.headers import HEADERS
 from maestra.web.language_choice import language_of
@@ -117,7 +118,14 @@ async def _refused(request: Request, error: Exception) -> Response:
         return RedirectResponse(request.url.path.rpartition("/")[0] or HOME, HTTPStatus.SEE_OTHER)
     if isinstance(error, PasswordDueError):
         return RedirectResponse(NEW_PASSWORD, HTTPStatus.SEE_OTHER)
-    return await run_in_threadpool(answer, request, error)
+    return await run_in_threadpool(_answer_with_way_on, request, error)
+
+
+def _answer_with_way_on(request: Request, error: StarletteHTTPException) -> Response:
+    """The page, with the way to all others for who is logged in."""
+    if getattr(request.state, "visitor", None) is None:
+        request.state.visitor = perhaps(request)
+    return answer(request, error)
 
 
 def _entrance(request: Request) -> str:

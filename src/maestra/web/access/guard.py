@@ -8,14 +8,12 @@ from typing import Annotated, Final
 from fastapi import Depends, HTTPException
 from starlette.requests import HTTPConnection
 
-from maestra.language import Language
-from maestra.storage.access import Account
 from maestra.web.access.audit import Act, audit, where
 from maestra.web.access.gate import is_unsafe
-from maestra.web.access.logins import LoginKind, current
+from maestra.web.access.present import account_of, as_visitor
 from maestra.web.access.throttle import NO_WAIT
-from maestra.web.access.visitor import AccountId, Right, Role, Visitor
-from maestra.web.context import Context, context_of
+from maestra.web.access.visitor import Right, Visitor
+from maestra.web.context import context_of
 from maestra.web.paths import LOGOUT, NEW_PASSWORD
 from maestra.web.problems import PasswordDueError, TooManyError
 
@@ -30,13 +28,13 @@ def visitor_of(connection: HTTPConnection) -> Visitor:
         HTTPException: 401, nobody is; 403, they must choose a password first; 429, too much.
     """
     context = context_of(connection)
-    account = _account_of(context, connection)
+    account = account_of(context, connection)
     if account is None:
         raise HTTPException(401, "nobody is logged in")
     is_due = account.temporary_until_ms is not None
     if is_due and connection.url.path not in _WITHOUT_OWN_PASSWORD:
         raise PasswordDueError
-    visitor = _as_visitor(account)
+    visitor = as_visitor(account)
     # For the page that says what went wrong.
     connection.state.visitor = visitor
     if is_unsafe(connection.scope):
@@ -45,27 +43,6 @@ def visitor_of(connection: HTTPConnection) -> Visitor:
         if wait != NO_WAIT:
             raise TooManyError(wait)
     return visitor
-
-
-def logged_in(context: Context, connection: HTTPConnection) -> Visitor | None:
-    """Who is logged in, for pages that are there for everybody."""
-    account = _account_of(context, connection)
-    return None if account is None else _as_visitor(account)
-
-
-def _account_of(context: Context, connection: HTTPConnection) -> Account | None:
-    login = current(context, connection, LoginKind.ACCOUNT)
-    account = None if login is None else context.store.access.account(login.holder)
-    return None if account is None or account.is_disabled else account
-
-
-def _as_visitor(account: Account) -> Visitor:
-    return Visitor(
-        AccountId(account.account),
-        account.name,
-        Role(account.role),
-        Language(account.language),
-    )
 
 
 def needs(*rights: Right) -> Callable[[HTTPConnection, Visitor], Visitor]:
