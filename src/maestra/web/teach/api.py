@@ -219,10 +219,19 @@ class DraftSaid(BaseModel):
     asked: Annotated[Asked | None, Field(description="`null` where nothing is asked.")]
 
 
+class DraftListed(BaseModel):
+    """A draft in the list; what is understood of it is worked out when it is read."""
+
+    id: Annotated[str, Field(pattern=_ID)]
+    name: str
+    changed: datetime
+    demonstrations: Annotated[int, Field(description="How many were shown.")]
+
+
 class DraftsSaid(BaseModel):
     """What is being taught."""
 
-    drafts: list[DraftSaid]
+    drafts: list[DraftListed]
 
 
 class Saved(BaseModel):
@@ -235,7 +244,17 @@ class Saved(BaseModel):
 @router.get("")
 def drafts(bench: AtBench) -> DraftsSaid:
     """Your drafts, the one that was changed last first; nobody else sees them."""
-    return DraftsSaid(drafts=[_said(bench, one) for one in bench.desk.all()])
+    return DraftsSaid(
+        drafts=[
+            DraftListed(
+                id=one.id,
+                name=one.draft.name,
+                changed=datetime.fromisoformat(one.changed_utc),
+                demonstrations=len(one.draft.taught.showings),
+            )
+            for one in bench.desk.all()
+        ]
+    )
 
 
 @router.post("", status_code=HTTPStatus.CREATED, responses=_CONFLICT)

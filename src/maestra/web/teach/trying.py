@@ -45,7 +45,7 @@ from maestra.web.teach.understanding import (
 
 TRY: Final = "try"
 EXAM: Final = "exam"
-KEPT: Final = 8
+KEPT: Final = 4
 """Referees: each remembers what it has worked out of one exercise."""
 
 router: Final = APIRouter(include_in_schema=False)

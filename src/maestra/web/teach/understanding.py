@@ -32,8 +32,9 @@ from maestra.rules.setting import Index
 from maestra.rules.telling import told_exercise
 from maestra.web.teach.draft import Draft, Examined, Replied, Reply
 
-REMEMBERED: Final = 16
-"""Dialogues: each holds what its lesson rests on, up to some megabytes."""
+REMEMBERED: Final = 4
+"""Dialogues: each holds what its lesson rests on, 7 MB for ten numbers; two people may teach at
+once, and each next answer needs the dialogue before it."""
 EXAM_PLAYS: Final = 5
 """Right ones, and as many near misses: two minutes of a caregiver's attention."""
 
