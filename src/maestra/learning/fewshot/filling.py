@@ -47,11 +47,12 @@ def another_order(order: Sequence[Index], known: Fillings) -> tuple[Index, ...]:
 
     Where cells are filled in an order that is wrong, a "no" says nothing of the row.
     """
+    back = tuple(order[::-1])
     filling, share = next(one for one in known if one[0] is not None)
     if filling is None or share < ASKED:
-        return tuple(order[::-1])
+        return back
     keys = FillOrder(filling).keys(len(order))
-    return tuple(sorted(order[::-1], key=lambda cell: keys[cell]))
+    return tuple(sorted(back, key=lambda cell: keys[cell]))
 
 
 def out_of_order(position: Play, known: Fillings) -> float:
