@@ -14,11 +14,25 @@ from maestra.core.formats import DEMONSTRATION_FORMAT, DemonstrationJson
 from maestra.language.lexicon_format import WORDS_FORMAT, WordsJson
 from maestra.rules.exercise_format import EXERCISE_FORMAT, ExerciseJson
 from maestra.rules.rule_json import RULES_FORMAT, RulesJson
+from maestra.storage.formats import (
+    BACKUP_FORMAT,
+    HEAD_FORMAT,
+    KEYS_FORMAT,
+    PATIENT_FORMAT,
+    BackupJson,
+    HeadJson,
+    KeysJson,
+    PatientJson,
+)
 
 FOLDER: Final = Path(__file__).parents[1] / "docs" / "schemas"
 MODELS: Final[dict[str, type[BaseModel]]] = {
+    BACKUP_FORMAT: BackupJson,
     DEMONSTRATION_FORMAT: DemonstrationJson,
     EXERCISE_FORMAT: ExerciseJson,
+    HEAD_FORMAT: HeadJson,
+    KEYS_FORMAT: KeysJson,
+    PATIENT_FORMAT: PatientJson,
     RULES_FORMAT: RulesJson,
     SESSION_FORMAT: StartJson,
     SETTINGS_FORMAT: SettingsJson,

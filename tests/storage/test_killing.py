@@ -29,7 +29,7 @@ from tests.storage.servers import PostgresServer
 
 KILLS = int(os.environ.get("MAESTRA_KILLS", "5"))
 CHILD = Path(__file__).with_name("playing_child.py")
-START_S = 60.0
+START_S = 60.0 if KILLS <= 10 else 600.0
 MOST_S = 0.5
 """How long a child may play at most before it is killed."""
 SERVER_EVERY = 5

@@ -215,7 +215,7 @@ def test_whoever_signs_with_another_key_is_found(played: Place, opened: Opening)
 # ---------------------------------------------------------------- the law, without a database
 
 KEY = Ed25519PrivateKey.generate()
-STORE = "s" * 32
+STORE = "5" * 32
 
 
 def make_chain(length: int) -> list[Link]:
@@ -258,17 +258,22 @@ def test_after_restoring_a_backup_older_heads_beyond_its_end_no_longer_hold() ->
     assert check(rows[:3], heads[:2]) == Tampered(Finding.CUT_OFF, 4)
 
 
-@given(st.text(), st.sampled_from(HeadKind), st.integers(0, 2**62), st.binary())
+@given(
+    st.text("0123456789abcdef", min_size=32, max_size=32),
+    st.sampled_from(HeadKind),
+    st.integers(0, 2**62),
+    st.binary(min_size=32, max_size=32),
+)
 def test_a_head_reads_as_it_was_written(
     store: str, kind: HeadKind, at: int, digest: bytes
 ) -> None:
-    signed = SignedHead(Head(store, kind, at, digest, "now"), b"signature")
+    signed = SignedHead(Head(store, kind, at, digest, "now"), b"s" * 64)
     assert read_head(signed.line()) == signed
 
 
 @pytest.mark.parametrize("line", ["", "[]", "{}", '{"format": "maestra.head/2"}', '{"format": 1'])
 def test_what_is_no_head_is_refused(line: str) -> None:
-    with pytest.raises(ValueError, match=r"Expecting|maestra.head/1|lacks a field"):
+    with pytest.raises(ValueError, match="HeadJson"):
         read_head(line)
 
 

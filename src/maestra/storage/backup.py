@@ -23,13 +23,13 @@ from sqlalchemy import Connection, insert, select
 from maestra.core.faults import Fault, InvalidError
 from maestra.storage import schema
 from maestra.storage.chain import Tampered, verify
+from maestra.storage.formats import BACKUP_FORMAT, BackupJson
 from maestra.storage.opening import Place, make_folders
 from maestra.storage.record import Signer, links
 from maestra.storage.store import SqlStore
 from maestra.storage.tables import METADATA, OF_A_PATIENT, PASSING, STORE
 from maestra.storage.vault import StoreId, SubjectId, Vault, flush_folder
 
-BACKUP_FORMAT: Final = "maestra.backup/1"
 _TOGETHER: Final = 500
 """Rows that are put back with one statement."""
 
@@ -87,7 +87,7 @@ def restore(path: Path, where: Place, keys: Path | None = None) -> Restored:
     name = str(path)
     header = _header(path, name)
     make_folders(where)
-    store = StoreId(str(header["store"]))
+    store = StoreId(header.store)
     if keys is not None and not (where.keys / store).exists():
         Vault.unpack(where.keys, keys.read_text(encoding="utf-8"), str(keys))
     vault = Vault(where.keys, store)
@@ -143,24 +143,23 @@ def _lines(path: Path, name: str) -> Iterator[bytes]:
         raise _refused(name, str(error) or "a file that is cut off", "a whole backup") from error
 
 
-def _header(path: Path, name: str) -> dict[str, object]:
+def _header(path: Path, name: str) -> BackupJson:
     """The first line, after the whole file was found to be what was written."""
     digest, last, first = sha256(), b"", b""
     for line in _lines(path, name):
         digest.update(last)
         first = first or line
         last = line
+    no_backup = _refused(name, "something else, or a part", f"a whole {BACKUP_FORMAT}")
     try:
-        header: dict[str, object] = json.loads(first)
-        is_ours = header["format"] == BACKUP_FORMAT
+        header = BackupJson.model_validate_json(first)
         is_whole = json.loads(last) == {"sha256": digest.hexdigest()}
-    except (ValueError, KeyError, TypeError):
-        is_ours = is_whole = False
-        header = {}
-    if not (is_ours and is_whole):
-        raise _refused(name, "something else, or a part", f"a whole {BACKUP_FORMAT}")
-    if header["tables"] != schema.VERSION:
-        found = f"tables of version {header['tables']}"
+    except ValueError:
+        raise no_backup from None
+    if not is_whole:
+        raise no_backup
+    if header.tables != schema.VERSION:
+        found = f"tables of version {header.tables}"
         raise _refused(name, found, f"version {schema.VERSION}, of this Maestra")
     return header
 

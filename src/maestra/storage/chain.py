@@ -11,9 +11,10 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 from enum import Enum
 from hashlib import sha256
-from typing import Any, Final, Protocol, TypeAlias
+from typing import Final, Protocol, TypeAlias
 
-HEAD_FORMAT: Final = "maestra.head/1"
+from maestra.storage.formats import HEAD_FORMAT, HeadJson
+
 GENESIS: Final = bytes(32)
 """Stands before the first event."""
 
@@ -153,20 +154,10 @@ def read_head(line: str) -> SignedHead:
     Raises:
         ValueError: it holds none.
     """
-    try:
-        fields: dict[str, Any] = json.loads(line)
-        if fields["format"] != HEAD_FORMAT:
-            raise ValueError(f"expected {HEAD_FORMAT}")
-        head = Head(
-            str(fields["store"]),
-            HeadKind(fields["kind"]),
-            int(fields["sequence"]),
-            bytes.fromhex(fields["digest"]),
-            str(fields["utc"]),
-        )
-        return SignedHead(head, bytes.fromhex(fields["signature"]))
-    except (KeyError, TypeError) as error:
-        raise ValueError("a head lacks a field") from error
+    fields = HeadJson.model_validate_json(line)
+    kind, digest = HeadKind(fields.kind), bytes.fromhex(fields.digest)
+    head = Head(fields.store, kind, fields.sequence, digest, fields.utc)
+    return SignedHead(head, bytes.fromhex(fields.signature))
 
 
 def verify(

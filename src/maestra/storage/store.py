@@ -19,6 +19,7 @@ from maestra.storage.access import AccessStore
 from maestra.storage.chain import Verification
 from maestra.storage.custody import CustodyStore
 from maestra.storage.database import Database
+from maestra.storage.formats import PATIENT_FORMAT
 from maestra.storage.record import Record, Signer, demand_writer, session_tag
 from maestra.storage.tables import (
     EXERCISES,
@@ -236,7 +237,7 @@ class SqlStore:
             self._known(connection, patient)
         sessions = self.sessions(patient)
         return {
-            "format": "maestra.patient/1",
+            "format": PATIENT_FORMAT,
             "patient": patient,
             "name": self._perhaps(NAMES, patient),
             "settings": _parsed(self._perhaps(SETTINGS, patient)),

@@ -17,7 +17,6 @@ import os
 import secrets
 from hashlib import sha256
 from pathlib import Path
-from string import hexdigits
 from typing import Final, NewType
 
 from cryptography.exceptions import InvalidSignature, InvalidTag
@@ -29,12 +28,12 @@ from cryptography.hazmat.primitives.ciphers.aead import AESGCM
 
 from maestra.core.faults import Fault, InvalidError
 from maestra.storage.chain import Head, SignedHead
+from maestra.storage.formats import KEYS_FORMAT, KeysJson
 
 SubjectId = NewType("SubjectId", str)
 """A patient within the database: random, known only together with the key."""
 StoreId = NewType("StoreId", str)
 
-KEYS_FORMAT: Final = "maestra.keys/1"
 KEY_BYTES: Final = 32
 NONCE_BYTES: Final = 12
 """As AES-GCM wants them; random, which is safe for 2^32 messages under one key."""
@@ -219,22 +218,21 @@ class Vault:
             InvalidError: the text holds none.
         """
         try:
-            keys = json.loads(text)
-            folder = root / _plain_id(keys["store"] if keys["format"] == KEYS_FORMAT else "")
+            keys = KeysJson.model_validate_json(text)
             contents = {
-                "tags.key": bytes.fromhex(keys["tags"]),
-                "signing.key": bytes.fromhex(keys["signing"]),
-                "heads.jsonl": "".join(f"{line}\n" for line in keys["heads"]).encode(),
+                "tags.key": bytes.fromhex(keys.tags),
+                "signing.key": bytes.fromhex(keys.signing),
+                "heads.jsonl": "".join(f"{line}\n" for line in keys.heads).encode(),
             }
-            subjects = {_plain_id(one): bytes.fromhex(k) for one, k in keys["subjects"].items()}
             public = Ed25519PrivateKey.from_private_bytes(contents["signing.key"]).public_key()
-        except (ValueError, KeyError, TypeError, AttributeError):
+        except ValueError:
             fault = Fault(file, "something else", f"keys, {KEYS_FORMAT}")
             raise InvalidError([fault]) from None
+        folder = root / keys.store
         (folder / "subjects").mkdir(parents=True, mode=0o700)
         folder.chmod(0o700)
-        for subject, key in subjects.items():
-            write_durably(folder / "subjects" / f"{subject}.key", key)
+        for subject, key in keys.subjects.items():
+            write_durably(folder / "subjects" / f"{subject}.key", bytes.fromhex(key))
         write_durably(folder / "signing.pub", public.public_bytes_raw())
         for name, content in contents.items():
             write_durably(folder / name, content)
@@ -251,13 +249,6 @@ class Vault:
 
     def _bound(self, about: str) -> bytes:
         return f"{self.store}\0{about}".encode()
-
-
-def _plain_id(text: str) -> str:
-    """`text`, if it is an id that names a file and nothing else."""
-    if len(text) != 2 * _ID_BYTES or not set(text) <= set(hexdigits):
-        raise ValueError(text)
-    return text
 
 
 def is_signature(key: Ed25519PublicKey, signature: bytes, message: bytes) -> bool:
