@@ -11,11 +11,13 @@ from maestra.core.board import Cell
 from maestra.core.state import Move
 from maestra.web.rooms.room import Room
 from maestra.web.rooms.rooms import Rooms
+from tests.browser.conftest import PATIENCE_MS
 from tests.browser.lint import Reader, lint
 from tests.browser.serving import Served
 from tests.web.rooms.exercises import right_move, wrong_move
 
 HERON = PatientId("heron")
+expect.set_options(timeout=PATIENCE_MS)
 
 
 def room_of(served: Served) -> Room:
@@ -110,10 +112,13 @@ def accompany(page: Page, served: Served) -> None:
     expect(page.get_by_text("The session is paused.")).to_be_visible()
     page.get_by_role("button", name="Go on playing").click()
     expect(page.get_by_text("The session is under way.")).to_be_visible()
-    assert room.session.phase is Phase.PLAYING
-    while room.session.phase is Phase.PLAYING:
-        make(page, room, right_move(room))
+    play_on(page, room)
     expect(page.get_by_text("The exercise is complete.")).to_be_visible()
+
+
+def play_on(page: Page, room: Room) -> None:
+    while room.session.phase is not Phase.ENDED:
+        make(page, room, right_move(room))
 
 
 def replay(page: Page) -> None:

@@ -255,9 +255,7 @@ def test_a_draft_survives_a_taken_profile(browsing: As, context: Context) -> Non
 
 
 def test_a_plan_comes_back_as_it_was_kept() -> None:
-    plan = Plan(
-        ("a",), {"x": ("1", "2")}, Profile(hand=Hand.LEFT), {"volume": 3}, shows_score=True
-    )
+    plan = Plan(("a",), {"x": ("1", "2")}, Profile(hand=Hand.LEFT), {"volume": 3})
     assert read_plan(write_plan(plan)) == plan
 
 

@@ -1,11 +1,19 @@
 """What was judged otherwise goes back to the exercise, and nothing changes by itself."""
 
+from dataclasses import replace
+
 import pytest
 
+from maestra.coaching.chance import Chance
+from maestra.coaching.difficulty import Difficulty
 from maestra.coaching.events import Begun, EndOrdered, TokenLifted, TokenPlaced, VerdictOverridden
-from maestra.core.state import Move
+from maestra.coaching.settings import Settings
+from maestra.coaching.sitting import laid_out
+from maestra.core.demonstration import Demonstration
+from maestra.core.state import Move, State
 from maestra.language import Language
-from maestra.rules.exercise import RuledExercise
+from maestra.rules.exercise import Evidence, LearnStatus, RuledExercise
+from maestra.rules.exercise_format import encode_exercise
 from maestra.rules.forms.timing import FillOrder
 from maestra.web.access.visitor import AccountId, Role, Visitor
 from maestra.web.context import Context
@@ -142,3 +150,35 @@ def test_only_who_cares_for_the_patient_takes_it_back(browsing: As, rooms: Rooms
 
 def test_a_record_without_a_start_says_nothing() -> None:
     assert said_in([]) is None
+
+
+def learned(context: Context, *, told: bool) -> None:
+    """Let the exercise rest on a demonstration: the tokens in ascending order, left to right."""
+    start = laid_out(ASCENDING, Settings(difficulty=Difficulty(2, 1)), Chance(3))[1]
+    values = sorted((token.value("value"), token.id) for token in ASCENDING.deck.tokens)
+    start = State(ASCENDING.board, dict(start.cells))
+    moves = tuple(
+        Move(token, start.cells[token], cell)
+        for (_, token), cell in zip(values, start.board.goal_cells, strict=False)
+    )
+    shown = Demonstration(ASCENDING.deck, start, moves)
+    status = LearnStatus.TOLD if told else LearnStatus.LEARNED
+    exercise = replace(ASCENDING, status=status, evidence=Evidence((shown,)))
+    context.store.save_exercise("ascending", encode_exercise(exercise))
+
+
+@pytest.mark.parametrize("told", [True, False])
+def test_an_exercise_with_demonstrations_learns_besides_them(
+    browsing: As, rooms: Rooms, context: Context, *, told: bool
+) -> None:
+    browser = browsing()
+    learned(context, told=told)
+    address = played(lambda: browser, rooms, moves=1)
+    browser.post(f"{address}/teach")
+    (kept,) = Desk(context, ANN).all()
+    assert kept.draft.taught.told is None
+    assert len(kept.draft.demonstrations) == 1
+    exercise = exercise_of(kept.draft)
+    assert isinstance(exercise, RuledExercise)
+    assert not any(isinstance(one.rule, FillOrder) for one in exercise.rules)
+    assert len(exercise.evidence.answers) == (3 if told else 1)

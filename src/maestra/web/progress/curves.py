@@ -111,7 +111,7 @@ def _frame(
 
 
 def _grid(top: float, pages: Pages) -> Markup:
-    lines = []
+    lines: list[Markup] = []
     for share in (0.0, 0.5, 1.0):
         y = BOTTOM - (BOTTOM - TOP) * share
         value = decimal(top * share, pages.language, 0 if float(top * share).is_integer() else 1)
