@@ -9,6 +9,7 @@ from __future__ import annotations
 import base64
 import tempfile
 from dataclasses import dataclass
+from http import HTTPStatus
 from pathlib import Path
 from typing import Any, Final
 
@@ -25,6 +26,7 @@ from tests.browser.world import PIN, World, populate
 ROOT: Final = Path(__file__).parent.parent
 DOCS: Final = ROOT / "docs" / "pictures"
 HELP: Final = ROOT / "src" / "maestra" / "web" / "static" / "help"
+SETTLED_MS: Final = 700
 QUALITY: Final = 60
 """Of WebP: letters stay sharp, a page takes 20 kB."""
 CAREGIVERS: Final = {
@@ -107,12 +109,12 @@ def _of_every_page(studio: Studio) -> None:
     caregiver = studio.page()
     world = populate(studio.served, caregiver)
     _take(new, "/login", DOCS / "login.webp")
+    _of_the_patient(studio, world)
     for name, path in CAREGIVERS.items():
         _take(caregiver, world.filled(path), DOCS / f"{name}.webp")
     administrator = log_in(studio.served, studio.page(), Role.ADMINISTRATOR)
     for name, path in ADMINISTRATORS.items():
         _take(administrator, world.filled(path), DOCS / f"{name}.webp")
-    _of_the_patient(studio, world)
     phone = log_in(studio.served, studio.page(Size.PHONE), Role.CAREGIVER)
     _take(phone, world.filled("/teach/{draft}"), DOCS / "teach-draft-phone.webp")
     _take(phone, "/library", DOCS / "library-phone.webp")
@@ -135,12 +137,17 @@ def _of_the_patient(studio: Studio, world: World) -> None:
 def _for_the_help(studio: Studio, language: Language) -> None:
     caregiver = studio.page(language=language)
     world = populate(studio.served, caregiver, language)
+    caregiver.request.post(world.filled("/sessions/{name}/do"), form={"do": "begin"})
     for name, path in IN_THE_HELP.items():
         _take(caregiver, world.filled(path), HELP / f"{name}-{language.value}.webp")
 
 
 def _take(page: Page, path: str, file: Path) -> None:
-    page.goto(path, wait_until="networkidle" if "/sessions/" not in path else "load")
+    answer = page.goto(path)
+    if answer is None or answer.status != HTTPStatus.OK:
+        raise SystemExit(f"{path} is no page")
+    # What is asked once the page is there: drawings further up, the state of a session.
+    page.wait_for_timeout(SETTLED_MS)
     _keep(page, file)
 
 

@@ -30,6 +30,7 @@ BY_HAND: Final = {
     ),
     ("docs/tutorial/teach.md", "$ maestra exam letters.json"): "waits for a person",
     ("docs/how-to/run-the-server.md", "$ make run"): "waits for a person",
+    ("docs/tutorial/teach-in-the-browser.md", "$ make run"): "waits for a person",
     (
         "docs/how-to/run-the-server.md",
         "$ maestra serve --host 0.0.0.0 --port 8443 --certificate maestra.pem --key maestra.key",

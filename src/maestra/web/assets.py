@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import mimetypes
 from importlib.resources import files
 from typing import Final
 
@@ -29,5 +30,7 @@ def assets() -> ASGIApp:
     Only these are compressed: pages hold what is somebody's, and how much they shrink would tell
     of it (BREACH).
     """
+    # Not every system knows it, and browsers are told not to guess.
+    mimetypes.add_type("image/webp", ".webp")
     folder = _Static(directory=str(files("maestra.web") / "static"))
     return GZipMiddleware(folder, minimum_size=LEAST_COMPRESSED)
