@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import asyncio
 from collections import deque
+from collections.abc import Mapping, Sequence
 from typing import Final
 
 from maestra.coaching.ports import PatientId
@@ -67,6 +68,15 @@ class Listener:
             raise LeftError
         return self._waiting.popleft()
 
+    @property
+    def loop(self) -> asyncio.AbstractEventLoop:
+        """Where it waits."""
+        return self._loop
+
+    def put(self, message: str) -> None:
+        """The same as `offer`, in the loop itself."""
+        self._put(message)
+
     def _call(self, message: str | None) -> None:
         if not self._loop.is_closed():
             self._loop.call_soon_threadsafe(self._put, message)
@@ -79,3 +89,18 @@ class Listener:
         else:
             self._waiting.append(message)
         self._woken.set()
+
+
+def offer_all(messages: Mapping[Listener, str]) -> None:
+    """Offer each listener its message; a loop is woken once for all of its listeners."""
+    of_loop: dict[asyncio.AbstractEventLoop, list[Listener]] = {}
+    for listener in messages:
+        of_loop.setdefault(listener.loop, []).append(listener)
+    for loop, listeners in of_loop.items():
+        if not loop.is_closed():
+            loop.call_soon_threadsafe(_put_all, listeners, messages)
+
+
+def _put_all(listeners: Sequence[Listener], messages: Mapping[Listener, str]) -> None:
+    for listener in listeners:
+        listener.put(messages[listener])

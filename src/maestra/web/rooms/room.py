@@ -37,7 +37,7 @@ from maestra.coaching.sitting import rise
 from maestra.storage.drafts import Drafts
 from maestra.storage.store import SqlStore
 from maestra.web.clock import Clock
-from maestra.web.rooms.listeners import Listener
+from maestra.web.rooms.listeners import Listener, offer_all
 from maestra.web.rooms.stage import RoomName, RoomState, Said, Scenery, Stage
 
 MOST_EVENTS: Final = 50_000
@@ -145,10 +145,11 @@ class Room:
             OSError: the start cannot be kept.
         """
         with self._lock:
-            self._seat(stored, start, Stage(), number)
             for listener in self._listeners:
                 if listener.follows is not None:
-                    listener.end()  # also of the same patient: all begins anew
+                    # Before anything is shown. Also of the same patient: all begins anew.
+                    listener.end()
+            self._seat(stored, start, Stage(), number)
 
     def go_on(self, stored: StoredSession, start: Start, entries: Iterable[Entry]) -> None:
         """Let a session go on that the server was stopped in; it is paused until somebody resumes.
@@ -297,12 +298,11 @@ class Room:
         if play is not None:
             state = play.scenery.state(play.running.session, play.stage)
         self._state = replace(state, has_board=self._has_board)
-        messages: dict[bool, str] = {}
-        for listener in self._listeners:
-            whose = listener.for_caregiver
-            if whose not in messages:
-                messages[whose] = self._message(event, commands, for_caregiver=whose)
-            listener.offer(messages[whose])
+        messages = {
+            whose: self._message(event, commands, for_caregiver=whose)
+            for whose in {listener.for_caregiver for listener in self._listeners}
+        }
+        offer_all({one: messages[one.for_caregiver] for one in self._listeners})
 
     def _message(
         self,

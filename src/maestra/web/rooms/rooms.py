@@ -92,12 +92,13 @@ class Rooms:
             NoRoomLeftError: there are too many rooms.
             OSError: it cannot be kept.
         """
+        chosen = self._chosen(exercise, version)
         with self._lock:
             there = self.of(patient)
             if there is not None and there.state.is_under_way:
                 raise TakenError(patient)
             place = self.place(self._free() if room is None else room)
-            self._begin(place, patient, self._chosen(exercise, version), language)
+            self._begin(place, patient, chosen, language)
             return place
 
     def once_more(self, place: Room) -> None:
