@@ -9,7 +9,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from maestra.coaching.chance import Chance
-from maestra.coaching.commands import LookAt, Say
+from maestra.coaching.commands import LookAt, PointAt, Say
 from maestra.coaching.patients import (
     Heard,
     Mind,
@@ -107,6 +107,16 @@ def test_hints_are_heard_and_refusals_remembered() -> None:
     assert refused.weariness == 1.0
     assert perceive(refused, [Say(CoachKey.REFUSED.value, {}, "")], None) == refused
     assert perceive(refused, [Say(CoachKey.PRAISE.value, {}, "")], tried) == Mind()
+
+
+def test_pointing_where_to_put_back_is_no_hint() -> None:
+    tried = Move(token(3), cell(2, 3), cell(1, 1))
+    asked = [
+        Say(CoachKey.REFUSED.value, {}, ""),
+        Say(CoachKey.PLEASE_PUT_BACK.value, {}, ""),
+        PointAt((cell(1, 1), cell(2, 3))),
+    ]
+    assert perceive(Mind(), asked, tried).heard == Heard()
 
 
 def test_weariness_and_time_are_borne_for_so_long() -> None:

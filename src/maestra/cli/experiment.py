@@ -349,3 +349,25 @@ def coaching(
         print_json(coaching_json(seed, patients, runs))
     else:
         print_policies(policy_rows(runs), comparisons(runs))
+
+
+@app.command()
+def assistance_bound(
+    *,
+    patients: Annotated[int, typer.Option(min=1, help="Of each profile.")] = 10,
+    seed: Annotated[int, typer.Option(min=0, help="Decides who they are.")] = 1,
+    as_json: Json = False,
+) -> None:
+    """Work out how little assistance could be enough for simulated patients."""
+    from dataclasses import asdict
+
+    from maestra.cli.experiment_output import print_bound
+    from maestra.cli.streams import print_json
+    from maestra.experiments import assistance_bound as bound
+
+    rows = bound.bound_rows(patients, seed)
+    if as_json:
+        experiment = {"experiment": "assistance-bound", "seed": seed}
+        print_json({**experiment, "rows": [asdict(row) for row in rows]})
+    else:
+        print_bound(rows)

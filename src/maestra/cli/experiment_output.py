@@ -11,6 +11,7 @@ from rich.console import Console
 from rich.table import Table
 
 from maestra.cli.streams import write_file
+from maestra.experiments.assistance_bound import BoundRow
 from maestra.experiments.coaching import Comparison, Mean, PolicyRow
 from maestra.experiments.curve import Choice, CurvePoint, CurveSettings
 from maestra.experiments.pages import PageTable, filled, in_words
@@ -97,6 +98,18 @@ def print_policies(rows: Iterable[PolicyRow], compared: Iterable[Comparison]) ->
     for one in compared:
         saved.add_row(one.profile, _mean(one.completed_more), _mean(one.saved))
     _print(saved)
+
+
+def print_bound(rows: Iterable[BoundRow]) -> None:
+    """What level 5 throughout comes to, and what would be enough."""
+    table = Table("profile", box=None, pad_edge=False)
+    for heading in ("completed, most %", "help, most", "completed %", "help", "saved %"):
+        table.add_column(heading, justify="right")
+    for row in rows:
+        most = (f"{100 * row.complete_with_most:.1f}", f"{row.levels_with_most:.1f}")
+        least = (f"{100 * row.complete:.1f}", f"{row.levels:.1f}", f"{100 * row.saved:.0f}")
+        table.add_row(row.profile, *most, *least)
+    _print(table)
 
 
 def _mean(mean: Mean) -> str:

@@ -41,7 +41,7 @@ MEMORY: Final = 48
 """Outcomes at a level before they are halved."""
 
 _SPARES: Final = MappingProxyType(
-    {Behaviour.CHALLENGING: 0.05, Behaviour.NEUTRAL: 0.02, Behaviour.HELPING: 0.01}
+    {Behaviour.CHALLENGING: 0.05, Behaviour.NEUTRAL: 0.02, Behaviour.HELPING: 0.005}
 )
 """The share of sessions that may be given up beyond those given up with the most help."""
 _FIRST_RIGHT: Final[Mapping[Mental, tuple[int, ...]]] = MappingProxyType(
