@@ -91,6 +91,7 @@ bench: setup ## measure speed
 	$(BIN)/python -m pytest benchmarks --benchmark-enable --benchmark-only -p no:randomly --timeout=0
 	$(BIN)/maestra experiment growth --repeat 3
 	$(BIN)/python benchmarks/rooms.py
+	$(BIN)/python -m benchmarks.pages
 
 FEWSHOT_EXERCISES ?= 500
 FEWSHOT_DRAWS ?= 100
