@@ -243,9 +243,8 @@ def test_an_exercise_and_each_of_its_rules_is_drawn(browser: TestClient) -> None
 def test_actions_are_drawn_by_the_rules_that_sum_them_up(
     context: Context, browser: TestClient
 ) -> None:
-    file = Path(__file__).parents[3] / "examples" / "odd-ascending.jsonl"
-    shown = list(read_demonstrations([file.read_bytes()], file.name))
-    context.store.save_exercise("Actions", encode_exercise(learn_grounded(shown)))
+    actions = encode_exercise(learn_grounded(shown_in("odd-ascending")))
+    context.store.save_exercise("Actions", actions)
     wanted = exercise_id("Actions")
     assert '<img src="' in browser.get(f"/library/{wanted}").text
     assert browser.get(f"/library/{wanted}/picture").status_code == 200
@@ -334,6 +333,20 @@ def test_what_preconditions_cannot_say_is_no_pddl(context: Context, browser: Tes
     answer = browser.get(f"/library/{exercise_id('Ten')}/pddl")
     assert answer.status_code == 422
     assert "This exercise cannot be said in PDDL:" in answer.text
+
+
+def test_actions_and_rules_are_both_zipped() -> None:
+    actions = encode_exercise(learn_grounded(shown_in("curie")))
+    for text in (CURIE, actions):
+        archive = zipfile.ZipFile(io.BytesIO(zipped_pddl(text)))
+        assert archive.read("exercise.json").decode() == text
+        assert b"(:goal (now t6))" in archive.read("problem.pddl")
+
+
+def shown_in(example: str) -> list[Demonstration]:
+    """The demonstrations of one of the files in examples/."""
+    file = Path(__file__).parents[3] / "examples" / f"{example}.jsonl"
+    return list(read_demonstrations([file.read_bytes()], file.name))
 
 
 def test_what_cannot_be_zipped_names_its_faults() -> None:
