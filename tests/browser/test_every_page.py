@@ -8,6 +8,7 @@ from fastapi.routing import APIRoute
 from playwright.sync_api import Page, Request
 
 from maestra.coaching.ports import SessionId
+from maestra.language import Language
 from maestra.web.access.visitor import Role
 from maestra.web.application import ROUTERS
 from tests.browser.axe import findings
@@ -113,6 +114,19 @@ def test_every_page_is_small(served: Served, page: Page) -> None:
         for path, sent in costs.items()
         if sent.bytes > MOST_BYTES or sent.requests > MOST_REQUESTS
     } == {}
+
+
+@pytest.mark.parametrize("language", [Language.ES, Language.CA])
+def test_every_page_is_there_in_each_language(
+    served: Served, open_browser: OpenBrowser, language: Language
+) -> None:
+    page = open_browser(language=language.value).new_page()
+    world = populate(served, page, language)
+    for path in (*CAREGIVERS, "/rooms/{name}"):
+        answer = page.goto(world.filled(path) + QUERIES.get(path, ""))
+        assert answer is not None
+        assert answer.status == 200, path
+        assert page.locator("html").get_attribute("lang") == language.value
 
 
 @pytest.fixture
