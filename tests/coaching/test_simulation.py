@@ -9,7 +9,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from maestra.coaching.chance import Chance
-from maestra.coaching.commands import LookAt, PointAt, Say
+from maestra.coaching.commands import Command, LookAt, PointAt, Say
 from maestra.coaching.patients import (
     Heard,
     Mind,
@@ -111,7 +111,7 @@ def test_hints_are_heard_and_refusals_remembered() -> None:
 
 def test_pointing_where_to_put_back_is_no_hint() -> None:
     tried = Move(token(3), cell(2, 3), cell(1, 1))
-    asked = [
+    asked: list[Command] = [
         Say(CoachKey.REFUSED.value, {}, ""),
         Say(CoachKey.PLEASE_PUT_BACK.value, {}, ""),
         PointAt((cell(1, 1), cell(2, 3))),
