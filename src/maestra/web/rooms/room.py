@@ -203,12 +203,16 @@ class Room:
     def tick(self) -> None:
         """Let time pass: prompts after a silence, and what could not be kept before.
 
+        While something is being told nothing is done: the next tick is soon enough.
+
         Raises:
             NobodyPlaysError: the patient has been erased.
             TooManyEventsError: the session has gone on for too long.
             OSError: what is due cannot be kept.
         """
-        with self._lock:
+        if not self._lock.acquire(blocking=False):
+            return
+        try:
             play = self._play
             if play is None or play.is_kept:
                 return
@@ -219,6 +223,8 @@ class Room:
             elif at is not None and self._now(play) >= at:
                 self.tell(TimePassed())
             self._finish()
+        finally:
+            self._lock.release()
 
     def forget(self) -> None:
         """Empty the room: what was played here is nobody's business any more."""

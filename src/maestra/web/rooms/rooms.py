@@ -6,6 +6,7 @@ import asyncio
 import logging
 import re
 import secrets
+import sys
 import threading
 from collections.abc import AsyncGenerator
 from contextlib import asynccontextmanager, suppress
@@ -34,6 +35,9 @@ MOST_ROOMS: Final = 100
 """On one server: more patients than anybody accompanies at once, and each takes half a MB."""
 TICK_S: Final = 0.25
 """How often silences are looked at; nobody notices a prompt that comes so much later."""
+SWITCH_S: Final = 0.0005
+"""How long a thread may keep others waiting. With Python's 5 ms whoever writes to the disk waits
+as long after each of its calls while something is worked out elsewhere."""
 _SESSION: Final = re.compile(r"room-([a-z0-9]{1,20})-[0-9a-f]{16}")
 
 _LOG: Final = logging.getLogger(__name__)
@@ -167,6 +171,7 @@ class Rooms:
     @asynccontextmanager
     async def ticking(self) -> AsyncGenerator[None]:
         """Let time pass by itself as long as this lasts."""
+        sys.setswitchinterval(SWITCH_S)
         task = asyncio.create_task(self._tick_for_ever())
         try:
             yield
