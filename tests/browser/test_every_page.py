@@ -41,7 +41,8 @@ ON_THE_WAY: Final = ("/login/code", "/account/new-password", "/account/second-fa
 """Only there while somebody logs in or sets a factor up; else they lead on."""
 NO_PAGES: Final = (
     *("/library/{wanted}/file", "/library/{wanted}/picture", "/library/{wanted}/pddl"),
-    *("/patients/{pseudonym}/everything.json", "/pictures/{digest}"),
+    *("/patients/{pseudonym}/everything.json", "/patients/{pseudonym}/preview/heard"),
+    "/pictures/{digest}",
 )
 QUERIES: Final = {"/progress/{pseudonym}/exercise": "?name=Five+numbers%2C+ascending"}
 

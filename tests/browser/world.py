@@ -51,7 +51,7 @@ class World:
 def populate(served: Served, caregiver: Page, language: Language = Language.EN) -> World:
     """Let everything happen; `caregiver` becomes the page of one who is logged in.
 
-    The patient is spoken to in `language`.
+    Both the caregiver and the patient then read `language`.
     """
     store = served.context.store
     ana = add_account(served.context, NAMES[Role.CAREGIVER], Role.CAREGIVER)
@@ -62,13 +62,15 @@ def populate(served: Served, caregiver: Page, language: Language = Language.EN) 
     store.save_name(HERON, "Montserrat Pujol")
     sessions = play(store, HERON, EXERCISE, sessions=3)
     log_in(served, caregiver, Role.CAREGIVER)
-    return World(
+    world = World(
         draft=_taught(caregiver),
         room=_begun(caregiver),
         session=sessions[-1],
         screen_code=_screen(caregiver),
         account=rosa.account,
     )
+    caregiver.request.post("/language", form={"language": language.value})
+    return world
 
 
 def _taught(page: Page) -> str:
