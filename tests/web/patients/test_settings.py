@@ -20,7 +20,7 @@ from maestra.coaching.settings import (
 from maestra.language import Language
 from maestra.language.coach_settings import setting_explanation, setting_name
 from maestra.web.context import Context
-from maestra.web.patients import fields
+from maestra.web.patients import fields, kinds
 from maestra.web.patients.care import FOLLOWING, Care, proposals
 from maestra.web.patients.plan import Plan, read_plan, write_plan
 from tests.web.patients.conftest import PROFILE, As, make
@@ -43,14 +43,14 @@ def test_each_setting_stands_there_with_its_explanation(browsing: As, language: 
     make(browser, "heron")
     browser.cookies.set("maestra-language", language.value)
     page = browser.get("/patients/heron/settings").text.replace("&#39;", "'")
-    for name in (*fields.PROFILE, *fields.KINDS):
+    for name in (*kinds.PROFILE, *kinds.KINDS):
         assert setting_name(name, language) in page
         assert setting_explanation(name, language) in page
 
 
 def test_every_setting_of_the_coach_can_be_set() -> None:
-    assert {*fields.KINDS, "profile"} == set(encode_settings(Settings()))
-    assert set(fields.PROFILE) == set(encode_settings(Settings())["profile"])
+    assert {*kinds.KINDS, "profile"} == set(encode_settings(Settings()))
+    assert set(kinds.PROFILE) == set(encode_settings(Settings())["profile"])
 
 
 def test_the_form_as_it_stands_changes_nothing(browsing: As, context: Context) -> None:

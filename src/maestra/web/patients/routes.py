@@ -22,7 +22,7 @@ from maestra.web.access.ownership import own_patient, patients_of
 from maestra.web.access.visitor import Visitor
 from maestra.web.context import Context, Here
 from maestra.web.pages import Page, Pages
-from maestra.web.patients import fields
+from maestra.web.patients import fields, kinds
 from maestra.web.patients.addresses import segment_of
 from maestra.web.patients.care import Care
 from maestra.web.patients.desk import UNPROCESSABLE, AtDesk, Desk, name_of, titles
@@ -176,13 +176,13 @@ def _row(context: Context, patient: PatientId) -> Row:
 
 def _new(visitor: Visitor, pages: Pages, typed: Typed, faults: dict[str, str]) -> HTMLResponse:
     chosen = {**fields.profile_typed(Profile()), "language": (pages.language.value,), **typed}
-    kinds = {"language": fields.KINDS["language"], **fields.PROFILE}
+    asked = {"language": kinds.KINDS["language"], **kinds.PROFILE}
     page = pages.page(
         "patients/new.html",
         visitor,
         typed={name: only(typed, name) for name in ("pseudonym", "name")},
         faults=faults,
-        fields=fields.fields(kinds, chosen, faults, pages),
+        fields=fields.fields(asked, chosen, faults, pages),
     )
     page.status_code = UNPROCESSABLE if faults else 200
     return page
@@ -235,7 +235,7 @@ def _patient(
             for one, title in titles(desk.context, desk.pages.language).items()
         ],
         summary=[
-            (setting_name(one, desk.pages.language), fields.words_of(one, value, desk.pages))
+            (setting_name(one, desk.pages.language), kinds.words_of(one, value, desk.pages))
             for one, value in [*written["profile"].items(), *written.items()]
             if one in _SUMMED_UP
         ],

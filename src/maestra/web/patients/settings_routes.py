@@ -15,7 +15,7 @@ from maestra.robots.phrases import NoVoiceError
 from maestra.rules.exercise_format import decode_exercise
 from maestra.web.access.audit import Act
 from maestra.web.pages import Pages
-from maestra.web.patients import fields
+from maestra.web.patients import fields, kinds
 from maestra.web.patients.care import proposals
 from maestra.web.patients.desk import UNPROCESSABLE, AtDesk, Desk, titles
 from maestra.web.patients.plan import Plan
@@ -119,7 +119,7 @@ def preview(
     return desk.page(
         "patients/preview.html",
         lines=_rehearsed(desk, chosen, tried, way) if chosen else (),
-        levels=[desk.pages.say(words) for words in fields.LEVEL_WORDS],
+        levels=[desk.pages.say(words) for words in kinds.LEVEL_WORDS],
         settings=tried,
         is_draft=tried != now,
         exercises=[(one, known[one]) for one in examples],
@@ -164,11 +164,11 @@ def _settings(
         "patients/settings.html",
         UNPROCESSABLE if wrong else 200,
         done=done,
-        profile=fields.fields(fields.PROFILE, fields.profile_typed(said), wrong, pages),
+        profile=fields.fields(kinds.PROFILE, fields.profile_typed(said), wrong, pages),
         proposals=_proposed(now, plan, pages),
         groups=[
-            (pages.say(head), fields.fields(kinds, typed, wrong, pages))
-            for head, kinds in fields.GROUPS.items()
+            (pages.say(head), fields.fields(group, typed, wrong, pages))
+            for head, group in kinds.GROUPS.items()
         ],
         has_draft=plan.draft is not None,
         before=list(_in_words(plan.before, pages)),
@@ -184,8 +184,8 @@ def _proposed(now: Settings, plan: Plan, pages: Pages) -> list[dict[str, object]
         {
             "name": one.name,
             "title": setting_name(one.name, pages.language),
-            "now": fields.words_of(one.name, one.now, pages),
-            "proposed": fields.words_of(one.name, one.proposed, pages),
+            "now": kinds.words_of(one.name, one.now, pages),
+            "proposed": kinds.words_of(one.name, one.proposed, pages),
             "is_own": one.is_own,
         }
         for one in proposals(now, plan.profile)
@@ -197,7 +197,7 @@ def _in_words(written: Mapping[str, Any], pages: Pages) -> Iterator[tuple[str, s
     parts: dict[str, Any] = {**written.get("profile", {}), **written}
     for name, value in parts.items():
         if name != "profile":
-            yield setting_name(name, pages.language), fields.words_of(name, value, pages)
+            yield setting_name(name, pages.language), kinds.words_of(name, value, pages)
 
 
 def _tried(desk: Desk) -> Settings:

@@ -27,7 +27,7 @@ from maestra.web.pages import Page, Pages
 from maestra.web.patients.addresses import segment_of
 from maestra.web.patients.care import Care
 from maestra.web.patients.desk import UNPROCESSABLE, name_of, titles
-from maestra.web.patients.fields import LEVEL_WORDS
+from maestra.web.patients.kinds import LEVEL_WORDS
 from maestra.web.patients.whose import CaredFor, Filled, only
 from maestra.web.progress.replaying import Moment, recorded
 from maestra.web.progress.routes import SessionSegment, local, stored_session
