@@ -52,7 +52,11 @@ def test_what_is_given_is_what_the_coach_makes_of_it() -> None:
 
 def test_the_bound_completes_as_often_with_less(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(assistance_bound, "PRICES", (0.5, 0.001))
-    monkeypatch.setattr(assistance_bound, "patient_of", lambda *_: FRAIL)
+
+    def frail(*_: object) -> Patient:
+        return FRAIL
+
+    monkeypatch.setattr(assistance_bound, "patient_of", frail)
     (row,) = bound_rows(1, 1, [Mental.NONE])
     assert row.complete >= row.complete_with_most
     assert row.saved > 0.2
@@ -62,7 +66,11 @@ def test_the_command_prints_the_bound(
     capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
 ) -> None:
     rows = [assistance_bound.BoundRow("mild", 1, 0.98, 28.0, 0.99, 7.0)]
-    monkeypatch.setattr(assistance_bound, "bound_rows", lambda *_: rows)
+
+    def known(*_: object) -> list[assistance_bound.BoundRow]:
+        return rows
+
+    monkeypatch.setattr(assistance_bound, "bound_rows", known)
     assert run(["experiment", "assistance-bound", "--patients", "1"]) == 0
     assert "75" in capsys.readouterr().out
     assert run(["experiment", "assistance-bound", "--patients", "1", "--json"]) == 0

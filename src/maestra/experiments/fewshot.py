@@ -205,7 +205,7 @@ def _judged(setting: Setting, rows: Tokens, right: NDArray[np.intp], rng: Random
         changed[cell] = token
         near.append(changed)
     anyhow = [rows[rng.randrange(len(rows))] for _ in range(JUDGED)]
-    return np.array([*chosen, *near, *anyhow], np.int16)
+    return np.array([*chosen, *near, *anyhow], np.intp)
 
 
 def new_deck(sample: Sample) -> Deck:
