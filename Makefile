@@ -151,9 +151,13 @@ crashes: setup ## kill, cut power and spoil disks below the record, far oftener 
 	MAESTRA_KILLS=120 MAESTRA_POWER_CUTS=2000 $(BIN)/python -m pytest -s -p no:randomly --timeout=0 \
 		tests/storage/test_killing.py tests/storage/test_faulty_disk.py
 
+.PHONY: browser
+browser: setup ## all tests in a browser: each page and journey on three sizes, cuts, every language
+	MAESTRA_BROWSER=whole $(BIN)/python -m pytest --numprocesses=2 --dist=loadfile tests/browser
+
 .PHONY: reconnect
 reconnect: setup ## cut patients' pages off for up to a minute, and see that nothing is lost
-	MAESTRA_CUTS_S="0.5 2 8 60" $(BIN)/python -m pytest -p no:randomly --timeout=0 tests/browser/rooms
+	MAESTRA_BROWSER=whole MAESTRA_CUTS_S="0.5 2 8 60" $(BIN)/python -m pytest -p no:randomly --timeout=0 tests/browser/rooms
 
 .PHONY: oracle
 oracle: nightly-setup ## compare with learners that are not ours

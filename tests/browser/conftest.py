@@ -1,8 +1,9 @@
 """A server and a browser for each test, and nothing that goes wrong unseen."""
 
+import os
 from collections.abc import Iterator
 from pathlib import Path
-from typing import Protocol
+from typing import Final, Protocol
 
 import pytest
 from playwright.sync_api import Browser, BrowserContext, Page, Playwright, sync_playwright
@@ -24,6 +25,34 @@ ARGUMENTS = (
 )
 PATIENCE_MS = 20_000
 """Two cores may be busy with other tests."""
+
+WHOLE: Final = "MAESTRA_BROWSER"
+"""Set to anything, all tests here are run, as `make browser` does."""
+EACH_TIME: Final = (
+    "test_board_moves.py",
+    "test_no_page_is_forgotten_here",
+    "test_every_caregivers_page_is_for_everybody[desktop]",
+    "test_every_patients_page_is_for_everybody[desktop]",
+    "test_policy.py",
+    "test_shell.py",
+    "test_a_newcomer_teaches_ascending_by_drag",
+    "test_a_whole_day_from_the_first_start_to_an_erasure[desktop]",
+)
+"""What `make test` runs of them: all would take longer than all other tests together."""
+
+
+def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
+    """Leave out what takes too long for each time."""
+    if os.environ.get(WHOLE):
+        return
+    here = Path(__file__).parent
+    long = [
+        item
+        for item in items
+        if item.path.is_relative_to(here) and not any(one in item.nodeid for one in EACH_TIME)
+    ]
+    config.hook.pytest_deselected(items=long)
+    items[:] = [item for item in items if item not in set(long)]
 
 
 # Of a module, not of the session: while Playwright runs, no other event loop may run in this
