@@ -9,7 +9,7 @@ from maestra.coaching.events import (
     VerdictOverridden,
 )
 from maestra.coaching.fields import Milliseconds
-from maestra.coaching.overrides import overrides, overrides_as_answers
+from maestra.coaching.overrides import overrides
 from maestra.coaching.playing import step
 from maestra.coaching.recording import Start
 from maestra.coaching.session import Phase
@@ -69,7 +69,8 @@ def test_a_refused_move_that_was_granted_is_a_yes_where_it_was_made() -> None:
     (found,) = overrides(played.start, played.events)
     assert (found.position, found.move, found.allowed) == (before, wrong, True)
     assert found.broken != ()
-    (answer,) = overrides_as_answers(played.start, played.events)
+    answer = found.answer
+    assert answer is not None
     assert answer.reply is Reply.YES
     assert isinstance(answer.question, MoveQuestion)
     asked = answer.question.position.after(answer.question.token, answer.question.cell)
@@ -83,8 +84,8 @@ def test_a_right_move_that_was_taken_back_is_a_no() -> None:
     played.tell(VerdictOverridden(allowed=False))
     (found,) = overrides(played.start, played.events)
     assert (found.position, found.move, found.allowed, found.broken) == (before, right, False, ())
-    (answer,) = overrides_as_answers(played.start, played.events)
-    assert answer.reply is Reply.NO
+    assert found.answer is not None
+    assert found.answer.reply is Reply.NO
 
 
 def test_of_one_move_the_last_word_counts() -> None:
@@ -115,7 +116,6 @@ def test_a_move_that_rules_cannot_speak_of_is_no_answer() -> None:
     (found,) = overrides(played.start, played.events)
     assert found.move.destination == empty
     assert found.answer is None
-    assert overrides_as_answers(played.start, played.events) == ()
 
 
 def test_what_was_granted_changes_what_is_learned() -> None:
@@ -128,6 +128,6 @@ def test_what_was_granted_changes_what_is_learned() -> None:
     move = next(one for one in played.wrongs if one.origin.row == 3)
     played.make(move)
     played.tell(VerdictOverridden(allowed=True))
-    answers = overrides_as_answers(played.start, played.events)
+    answers = [one.answer for one in overrides(played.start, played.events) if one.answer]
     assert any(isinstance(one, EveryToken) for one in learn([demonstration]).rules)
     assert not any(isinstance(one, EveryToken) for one in learn([demonstration], answers).rules)

@@ -15,8 +15,9 @@ from maestra.web.access.audit import READ_AGAIN
 from maestra.web.access.devices import (
     Device,
     OnScreen,
-    Participating,
+    Participant,
     device_of,
+    participant_of,
 )
 from maestra.web.access.logins import SCREEN_MS
 from maestra.web.access.ownership import (
@@ -50,7 +51,7 @@ def app(app: FastAPI) -> FastAPI:
         return f"{device.patient}"
 
     @app.get("/api/test/participant")
-    def participant(one: Participating) -> str:
+    def participant(one: Annotated[Participant, Depends(participant_of)]) -> str:
         return one.label if isinstance(one, Device) else one.name
 
     return app

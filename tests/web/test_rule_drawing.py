@@ -25,7 +25,7 @@ from maestra.rules.pairs import AddUp, Compare, Named, Step
 from maestra.rules.rule import Rule
 from maestra.rules.setting import Line, Setting
 from maestra.rules.token_tests import Comparison, Extreme, has
-from maestra.web.board_drawing import MOST_COLUMNS, MOST_ROWS, draw_board
+from maestra.web.board_drawing import MOST_COLUMNS, MOST_ROWS, Plan, picture_of
 from maestra.web.rule_drawing import draw_exercise, draw_rule
 from maestra.web.token_view import TokenView
 from tests.rules.rule_strategies import RULES, decks, settings_with
@@ -244,7 +244,9 @@ def test_a_board_is_drawn_with_its_pictures_and_shapes() -> None:
     ]
     board = Board(2, 5)
     cells = {one.id: cell for one, cell in zip(deck, board.storage_cells, strict=True)}
-    drawing = draw_board(board, {one.id: one for one in deck}, cells, "a board", "with things")
+    plan = Plan(board)
+    lying = {cells[one.id]: one for one in deck}
+    drawing = picture_of(plan.draw(lying), plan.width, plan.bottom, "a board", "with things")
     root = parsed(drawing)
     assert next(root.iter(f"{SVG}image")).get("href") == "/pictures/1"
     assert texts(drawing) == ["3", "4", "umbr…", "5"]

@@ -67,12 +67,6 @@ def overrides(start: Start, events: Iterable[TimedEvent]) -> tuple[Override, ...
     return tuple(found.values())
 
 
-def overrides_as_answers(start: Start, events: Iterable[TimedEvent]) -> tuple[Answer, ...]:
-    """The same as answers that an exercise can rest on."""
-    answers = (one.answer for one in overrides(start, events))
-    return tuple(answer for answer in answers if answer is not None)
-
-
 def _overrides(start: Start, events: Iterable[TimedEvent]) -> Iterator[Override]:
     timed = list(events)
     before = start.session()

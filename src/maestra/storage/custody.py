@@ -121,17 +121,6 @@ class CustodyStore:
             ]
         return tuple(sorted(one for one in found if one is not None))
 
-    def caregivers_of(self, patient: PatientId) -> frozenset[str]:
-        """Which accounts care for a patient.
-
-        Raises:
-            KeyError: nobody has this pseudonym.
-        """
-        with self._database.reading() as connection:
-            subject = self._subject_of(connection, patient)
-            query = select(CAREGIVERS.c.account).where(CAREGIVERS.c.subject == subject)
-            return frozenset(connection.scalars(query).all())
-
     # ------------------------------------------------------------ the audit
 
     def note(

@@ -14,7 +14,6 @@ from typing import Final
 from markupsafe import Markup, escape
 
 from maestra.core.board import Board, Cell
-from maestra.core.tokens import TokenId
 from maestra.web.token_view import TokenView
 
 CELL: Final = 56.0
@@ -276,23 +275,4 @@ def picture_of(
         **{"class": "drawing"},
         font_family="system-ui, sans-serif",
         **hidden,
-    )
-
-
-def draw_board(
-    board: Board,
-    tokens: Mapping[TokenId, TokenView],
-    cells: Mapping[TokenId, Cell],
-    title: str = "",
-    description: str = "",
-) -> Markup:
-    """A board as SVG; decoration if it has no title."""
-    plan = Plan(board)
-    lying = {cell: tokens[token] for token, cell in cells.items()}
-    return picture_of(
-        plan.draw(lying),
-        plan.width + 2 * MARGIN,
-        plan.bottom + MARGIN,
-        title,
-        description,
     )

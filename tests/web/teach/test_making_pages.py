@@ -9,6 +9,8 @@ from fastapi.testclient import TestClient
 from maestra.web.access.visitor import Role
 from maestra.web.context import Context
 from maestra.web.library.included import first_start
+from maestra.web.teach.decks import MOST_PROPERTIES
+from maestra.web.teach.pictures import MOST_AT_ONCE
 
 Login = Callable[[Role], TestClient]
 ROW = ("19", "32", "46", "57", "68")
@@ -87,6 +89,21 @@ def test_what_makes_no_tokens_is_refused_where_it_was_written(
     assert answer.status_code == 422
     assert line in answer.text
     assert 'aria-current="page">Tokens and board' in answer.text
+
+
+def test_too_many_properties_are_refused_as_such(caregiver: TestClient, root: str) -> None:
+    wide = MOST_PROPERTIES + 1
+    typed = {"property": [f"p{k}" for k in range(wide)], "value": ["x"] * wide}
+    answer = caregiver.post(f"{root}/tokens/table", data=typed)
+    assert answer.status_code == 422
+    assert f"at most {MOST_PROPERTIES} properties." in answer.text
+
+
+def test_too_many_pictures_at_once_are_refused_as_such(caregiver: TestClient, root: str) -> None:
+    files = [("files", (f"{k}.png", b"", "image/png")) for k in range(MOST_AT_ONCE + 1)]
+    answer = caregiver.post(f"{root}/tokens/pictures", files=files)
+    assert answer.status_code == 422
+    assert f"Please choose 1 to {MOST_AT_ONCE} pictures at a time." in answer.text
 
 
 def test_the_board_may_be_larger_and_have_its_goal_row_at_the_bottom(

@@ -95,7 +95,6 @@ def participant_of(connection: HTTPConnection) -> Participant:
     return screen_of(connection)
 
 
-Participating = Annotated[Participant, Depends(participant_of)]
 OnScreen = Annotated[Device, Depends(screen_of)]
 
 

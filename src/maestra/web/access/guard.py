@@ -63,7 +63,6 @@ def needs(*rights: Right) -> Callable[[HTTPConnection, Visitor], Visitor]:
 Anybody = Annotated[Visitor, Depends(visitor_of)]
 Teaching = Annotated[Visitor, Depends(needs(Right.TEACH))]
 Accompanying = Annotated[Visitor, Depends(needs(Right.ACCOMPANY))]
-Studying = Annotated[Visitor, Depends(needs(Right.STUDY))]
 Following = Annotated[Visitor, Depends(needs(Right.ACCOMPANY, Right.STUDY))]
 """Who may see progress: of their own patients, or of all by pseudonym."""
 Administering = Annotated[Visitor, Depends(needs(Right.ADMINISTER))]

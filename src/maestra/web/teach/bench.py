@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import PurePath
 from typing import Annotated, Final
@@ -10,13 +11,18 @@ from urllib.parse import urlencode
 from fastapi import Depends, Form, Query
 from fastapi.responses import HTMLResponse, RedirectResponse, Response
 
+from maestra.core.state import State
 from maestra.learning.dialogue import NotAskedError
+from maestra.web import board_press
 from maestra.web.access.guard import Teaching
 from maestra.web.access.visitor import Visitor
+from maestra.web.board_press import cell_of
 from maestra.web.context import Context, Here
 from maestra.web.pages import Page, Pages
-from maestra.web.teach.actions import CannotError, Why
+from maestra.web.teach.actions import Action, CannotError, Hold, Why
 from maestra.web.teach.desk import Desk, Kept, StaleError, Work
+from maestra.web.teach.draft import Draft
+from maestra.web.teach.showing import Touch
 from maestra.web.teach.views import Views
 
 FIRST: Final = "show"
@@ -32,6 +38,32 @@ WhyNot = Annotated[str, Query(max_length=40)]
 def path_of(draft: str, place: str = "") -> str:
     """Where a page of a draft is."""
     return f"/teach/{draft}/{place}" if place else f"/teach/{draft}"
+
+
+def pressed(
+    draft: Draft, now: State, cell: str, token: str, put: Callable[[Touch], Action]
+) -> Action:
+    """What a press on a board of a draft does.
+
+    Args:
+        draft: holds a token, or none.
+        now: what lies where on that board.
+        cell: the form's field.
+        token: the form's field.
+        put: what it is that a token is put on a cell there.
+
+    Raises:
+        CannotError: no board could do that.
+    """
+    match board_press.outcome(now, draft.held, cell_of(cell), token):
+        case board_press.Held(taken):
+            return Hold(taken)
+        case board_press.Released():
+            return Hold(None)
+        case board_press.Moved(moved):
+            return put(Touch(moved.token, moved.destination))
+        case board_press.Nothing():
+            raise CannotError(Why.CELL)
 
 
 @dataclass(frozen=True, slots=True)

@@ -42,6 +42,29 @@ Say: TypeAlias = Callable[[str], str]
 """A word in the caregiver's language."""
 
 
+class Unfit(Enum):
+    """Why something cannot be on tokens, for a sentence in the caregiver's language."""
+
+    NO_NUMBER = "no-number"
+    TOO_LONG = "too-long"
+    TOO_MANY_TOKENS = "too-many-tokens"
+    TOO_MANY_PROPERTIES = "too-many-properties"
+    TOO_MANY_FILES = "too-many-files"
+    """Or none."""
+    LARGE_FILE = "large-file"
+    NO_PICTURE = "no-picture"
+    LARGE_PICTURE = "large-picture"
+
+
+class UnfitError(InvalidError):
+    """What a caregiver typed or sent cannot be on tokens."""
+
+    def __init__(self, why: Unfit, fault: Fault) -> None:
+        """The one fault, and its kind."""
+        super().__init__([fault])
+        self.why = why
+
+
 class Ready(Enum):
     """What can be chosen with one click."""
 
@@ -111,7 +134,7 @@ def listed_deck(text: str) -> Deck:
     found = [one for one in re.split(r"[\s,;]+", text) if one]
     wrong = [one for one in found if _as_number(one) is None]
     if wrong:
-        raise InvalidError([Fault("numbers", wrong[0], "a number")])
+        raise UnfitError(Unfit.NO_NUMBER, Fault("numbers", wrong[0], "a number"))
     return _deck([[(NUMBER, _as_number(one) or 0)] for one in found])
 
 
@@ -198,7 +221,7 @@ def deck_of(table: Table) -> Deck:
     names = [table.properties[k].strip() for k in kept]
     if len(names) > MOST_PROPERTIES:
         fault = Fault("properties", f"{len(names)} properties", f"at most {MOST_PROPERTIES}")
-        raise InvalidError([fault])
+        raise UnfitError(Unfit.TOO_MANY_PROPERTIES, fault)
     numeric = {
         name
         for k, name in zip(kept, names, strict=True)
@@ -298,7 +321,7 @@ def _deck(
         for name, value in shown:
             if len(str(value)) > MOST_LETTERS or len(name) > MOST_LETTERS:
                 expected = f"at most {MOST_LETTERS} letters"
-                raise InvalidError([Fault("tokens", str(value), expected)])
+                raise UnfitError(Unfit.TOO_LONG, Fault("tokens", str(value), expected))
         name = "-".join(str(value) for _, value in shown)
         seen[name] += 1
         mark = "" if seen[name] == 1 else f"-{seen[name]}"
@@ -308,8 +331,9 @@ def _deck(
     return Deck(tuple(made), orders or {}, lexicon=tuple(words))
 
 
-def _too_many(where: str, found: int) -> InvalidError:
-    return InvalidError([Fault(where, f"{found} tokens", f"at most {MOST_TOKENS}")])
+def _too_many(where: str, found: int) -> UnfitError:
+    fault = Fault(where, f"{found} tokens", f"at most {MOST_TOKENS}")
+    return UnfitError(Unfit.TOO_MANY_TOKENS, fault)
 
 
 def _as_number(text: str) -> Value | None:

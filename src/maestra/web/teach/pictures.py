@@ -9,11 +9,11 @@ from typing import Annotated, Final
 
 from fastapi import APIRouter, Depends, HTTPException, Path, Response
 
-from maestra.core.faults import Fault, InvalidError
+from maestra.core.faults import Fault
 from maestra.storage.drafts import Digest, Drafts, StoredPicture
 from maestra.web.access.devices import participant_of
 from maestra.web.context import Here
-from maestra.web.teach.decks import MOST_LETTERS
+from maestra.web.teach.decks import MOST_LETTERS, Unfit, UnfitError
 
 MOST_BYTES: Final = 4 * 1024 * 1024
 """Of one picture: a photograph of a telephone in its usual quality."""
@@ -60,16 +60,20 @@ def stored(content: bytes, file: str) -> StoredPicture:
     """The picture in a file's bytes.
 
     Raises:
-        InvalidError: it is too large, or no PNG, JPEG, WebP or GIF.
+        UnfitError: it is too large, or no PNG, JPEG, WebP or GIF.
     """
     if len(content) > MOST_BYTES:
-        raise _refused(file, f"{len(content)} bytes", f"at most {MOST_BYTES} bytes")
+        raise _refused(
+            Unfit.LARGE_FILE, file, f"{len(content)} bytes", f"at most {MOST_BYTES} bytes"
+        )
     found = recognised(content)
     if found is None:
-        raise _refused(file, "something else", "a picture: PNG, JPEG, WebP or GIF")
+        expected = "a picture: PNG, JPEG, WebP or GIF"
+        raise _refused(Unfit.NO_PICTURE, file, "something else", expected)
     if not 0 < found.width * found.height <= MOST_PIXELS:
         pixels = f"{found.width} x {found.height} pixels"
-        raise _refused(file, pixels, f"at most {MOST_PIXELS} pixels in all")
+        expected = f"at most {MOST_PIXELS} pixels in all"
+        raise _refused(Unfit.LARGE_PICTURE, file, pixels, expected)
     return StoredPicture(found.media_type, content)
 
 
@@ -133,5 +137,5 @@ def _little(part: bytes) -> int:
     return int.from_bytes(part, "little")
 
 
-def _refused(file: str, found: str, expected: str) -> InvalidError:
-    return InvalidError([Fault(file[:MOST_LETTERS], found, expected)])
+def _refused(why: Unfit, file: str, found: str, expected: str) -> UnfitError:
+    return UnfitError(why, Fault(file[:MOST_LETTERS], found, expected))

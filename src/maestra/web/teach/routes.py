@@ -21,7 +21,6 @@ from maestra.learning.dialogue import (
 )
 from maestra.learning.dialogue import Replied as Answered
 from maestra.rules.answers import Reply as Word
-from maestra.web import board_press
 from maestra.web.board_press import CellText, TokenText, cell_of
 from maestra.web.board_view import BoardView
 from maestra.web.teach import decks, pictures
@@ -30,7 +29,6 @@ from maestra.web.teach.actions import (
     CannotError,
     Deal,
     Finish,
-    Hold,
     Put,
     Rename,
     Take,
@@ -38,11 +36,10 @@ from maestra.web.teach.actions import (
     Why,
     new_draft,
 )
-from maestra.web.teach.bench import AtBench, Bench, Seen, WhyNot, path_of
+from maestra.web.teach.bench import AtBench, Bench, Seen, WhyNot, path_of, pressed
 from maestra.web.teach.desk import Kept, new_seed
 from maestra.web.teach.draft import BroughtBack, Draft, Reply, TakenBack
 from maestra.web.teach.saving import from_exercise, save
-from maestra.web.teach.showing import Touch
 from maestra.web.teach.understanding import reply_to
 from maestra.web.teach.views import Views
 
@@ -144,7 +141,7 @@ def show(
 @router.post("/teach/{draft}/move")
 def move(bench: AtBench, draft: str, cell: CellText, token: TokenText = "") -> Response:
     """A cell was pressed, or a token dropped on it."""
-    return bench.change(draft, lambda now: pressed(now, cell, token))
+    return bench.change(draft, lambda now: pressed(now, now.showing.now, cell, token, Put))
 
 
 @router.post("/teach/{draft}/done")
@@ -246,24 +243,6 @@ def save_it(bench: AtBench, draft: str, name: Annotated[str, Form()] = "") -> Re
     if fault:
         return _shown(bench, bench.desk.find(draft), typed=_Typed(name, fault))
     return RedirectResponse(path_of(draft), 303)
-
-
-def pressed(draft: Draft, cell: str, token: str) -> Action:
-    """What a press on the board to show on does.
-
-    Raises:
-        CannotError: no board could do that.
-    """
-    pressed = board_press.outcome(draft.showing.now, draft.held, cell_of(cell), token)
-    match pressed:
-        case board_press.Held(taken):
-            return Hold(taken)
-        case board_press.Released():
-            return Hold(None)
-        case board_press.Moved(moved):
-            return Put(Touch(moved.token, moved.destination))
-        case board_press.Nothing():
-            raise CannotError(Why.CELL)
 
 
 @dataclass(frozen=True, slots=True)

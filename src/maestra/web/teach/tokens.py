@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from typing import Annotated, Final, TypeAlias
+from typing import Annotated, Final, TypeAlias, assert_never
 
 from fastapi import APIRouter, Form, UploadFile
 from fastapi.responses import HTMLResponse, RedirectResponse, Response
@@ -13,24 +13,20 @@ from maestra.core.tokens import Deck, Token
 from maestra.language import Language
 from maestra.language.languages import words_of
 from maestra.storage.drafts import Digest, Drafts
-from maestra.web import board_press
-from maestra.web.board_press import CellText, TokenText, cell_of
+from maestra.web.board_press import CellText, TokenText
 from maestra.web.teach import decks, pictures
 from maestra.web.teach.actions import (
-    Action,
     CannotError,
     Deal,
     Equip,
-    Hold,
     LayOut,
-    Why,
     new_draft,
 )
-from maestra.web.teach.bench import AtBench, Bench, WhyNot, path_of
+from maestra.web.teach.bench import AtBench, Bench, WhyNot, path_of, pressed
+from maestra.web.teach.decks import Unfit, UnfitError
 from maestra.web.teach.desk import Kept, new_seed
 from maestra.web.teach.draft import Draft
 from maestra.web.teach.routes import all_drafts
-from maestra.web.teach.showing import Touch
 
 PLACE: Final = "tokens"
 MOST_TYPED: Final = 4_000
@@ -164,7 +160,9 @@ def board(
 @router.post("/teach/{draft}/tokens/move")
 def lay_out(bench: AtBench, draft: str, cell: CellText, token: TokenText = "") -> Response:
     """A token begins elsewhere."""
-    return bench.change(draft, lambda now: _laid(now, cell, token), PLACE)
+    return bench.change(
+        draft, lambda now: pressed(now, now.showing.now, cell, token, LayOut), PLACE
+    )
 
 
 @router.post("/teach/{draft}/tokens/deal")
@@ -213,7 +211,7 @@ def _pictured(
     chosen = [file for file in files if file.filename]
     if not 0 < len(chosen) <= pictures.MOST_AT_ONCE:
         expected = f"1 to {pictures.MOST_AT_ONCE} pictures"
-        raise InvalidError([Fault("files", f"{len(chosen)} files", expected)])
+        raise UnfitError(Unfit.TOO_MANY_FILES, Fault("files", f"{len(chosen)} files", expected))
     # All are looked at before one is kept; a byte more than is allowed tells that it is too large.
     found = [
         (
@@ -257,37 +255,33 @@ def _called(language: Language) -> Mapping[str, str]:
     return {one.noun.casefold(): name for name, one in reversed(list(words.items()))}
 
 
-def _laid(draft: Draft, cell: str, token: str) -> Action:
-    pressed = board_press.outcome(draft.showing.now, draft.held, cell_of(cell), token)
-    match pressed:
-        case board_press.Held(taken):
-            return Hold(taken)
-        case board_press.Released():
-            return Hold(None)
-        case board_press.Moved(moved):
-            return LayOut(Touch(moved.token, moved.destination))
-        case board_press.Nothing():
-            raise CannotError(Why.CELL)
-
-
 def _line(bench: Bench, error: InvalidError) -> str:
     """What is wrong, in one sentence."""
-    first = error.faults[0]
-    say = bench.pages.say
-    if first.expected == "a number":
-        return say("“{found}” is no number.", found=first.found)
-    if first.expected.endswith("bytes"):
-        size = pictures.MOST_BYTES // 2**20
-        return say("{file} is larger than {size} MB.", file=first.where, size=size)
-    if first.expected.startswith("a picture"):
-        return say("{file} is no PNG, JPEG, WebP or GIF.", file=first.where)
-    if first.expected.endswith("pixels in all"):
-        return say("{file} has more dots than a page can show.", file=first.where)
-    if first.expected.endswith("letters"):
-        return say("“{found}” is too long.", found=first.found)
-    if first.expected.startswith("at most"):
-        return say("That is too much: at most {count} tokens.", count=decks.MOST_TOKENS)
-    return say("Please write at least one token, and each property once.")
+    say, fault = bench.pages.say, error.faults[0]
+    match error.why if isinstance(error, UnfitError) else None:
+        case None:
+            return say("Please write at least one token, and each property once.")
+        case Unfit.NO_NUMBER:
+            return say("“{found}” is no number.", found=fault.found)
+        case Unfit.TOO_LONG:
+            return say("“{found}” is too long.", found=fault.found)
+        case Unfit.TOO_MANY_TOKENS:
+            return say("That is too much: at most {count} tokens.", count=decks.MOST_TOKENS)
+        case Unfit.TOO_MANY_PROPERTIES:
+            most = decks.MOST_PROPERTIES
+            return say("That is too much: at most {count} properties.", count=most)
+        case Unfit.TOO_MANY_FILES:
+            most = pictures.MOST_AT_ONCE
+            return say("Please choose 1 to {count} pictures at a time.", count=most)
+        case Unfit.LARGE_FILE:
+            size = pictures.MOST_BYTES // 2**20
+            return say("{file} is larger than {size} MB.", file=fault.where, size=size)
+        case Unfit.NO_PICTURE:
+            return say("{file} is no PNG, JPEG, WebP or GIF.", file=fault.where)
+        case Unfit.LARGE_PICTURE:
+            return say("{file} has more dots than a page can show.", file=fault.where)
+        case _ as never:
+            assert_never(never)
 
 
 def _page(

@@ -17,14 +17,12 @@ from maestra.language import Language
 from maestra.rules.answers import Reply, RowQuestion
 from maestra.rules.exercise import Exercise, RuledExercise
 from maestra.rules.position import Position
-from maestra.web import board_press
-from maestra.web.board_press import CellText, TokenText, cell_of
+from maestra.web.board_press import CellText, TokenText
 from maestra.web.board_view import BoardView
 from maestra.web.teach.actions import (
     Action,
     BeginExam,
     CannotError,
-    Hold,
     JudgePlay,
     LeaveExam,
     Take,
@@ -32,7 +30,7 @@ from maestra.web.teach.actions import (
     TryAgain,
     Why,
 )
-from maestra.web.teach.bench import AtBench, Bench, Seen, WhyNot
+from maestra.web.teach.bench import AtBench, Bench, Seen, WhyNot, pressed
 from maestra.web.teach.desk import Kept, new_seed
 from maestra.web.teach.draft import Draft, Examined
 from maestra.web.teach.showing import Touch
@@ -89,17 +87,13 @@ def try_again(bench: AtBench, draft: str) -> Response:
 def _pressed(draft: Draft, cell: str, token: str, language: Language) -> Action:
     exercise = _exercise(draft)
     position = _position(draft)
-    pressed = board_press.outcome(position.now, draft.held, cell_of(cell), token)
-    match pressed:
-        case board_press.Held(taken):
-            return Hold(taken)
-        case board_press.Released():
-            return Hold(None)
-        case board_press.Moved(moved):
-            ruling = _referee(exercise, draft.deck, language).judge(position, moved)
-            return Try(Touch(moved.token, moved.destination), isinstance(ruling, Right))
-        case board_press.Nothing():
-            raise CannotError(Why.CELL)
+
+    def tried(touch: Touch) -> Try:
+        move = Move(touch.token, position.now.cells[touch.token], touch.cell)
+        ruling = _referee(exercise, draft.deck, language).judge(position, move)
+        return Try(touch, isinstance(ruling, Right))
+
+    return pressed(draft, position.now, cell, token, tried)
 
 
 def _trial(bench: Bench, kept: Kept) -> TrialView | None:
