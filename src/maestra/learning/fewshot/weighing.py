@@ -6,7 +6,7 @@ near, and some show the same row again and again: that alone must not become a r
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 from itertools import product
@@ -49,25 +49,13 @@ class _Weighing:
     def belief(self) -> Belief:
         evidence = self.evidence
         search = Search(self.truths, evidence.layouts, evidence.answered)
-        classes = [
-            replace(one, bits=one.bits + self._habits(one.words) + self._meaning(one.words))
-            for one in self._merged(search.best())
-        ]
-        filling = evidence.fillings
-        free = dict(filling)[None]
-        asked = sum(share for order, share in filling if order is not None)
-        nothing = -self._of_nothing()
-        for k, one in enumerate(classes):
-            if one.parts:
-                with_order = log2(free + (1 - ALONE) * asked)
-                classes[k] = replace(one, bits=one.bits - with_order)
-            else:
-                # Any row in any order is no exercise: it is about something that cannot be said.
-                # Any row in a certain order is one.
-                nothing = float(np.logaddexp2(nothing, log2(free) - one.bits))
-                alone = log2(ALONE * asked) + FREE_BITS
-                classes[k] = replace(one, bits=one.bits - alone)
-        bits = np.array([*(one.bits for one in classes), -nothing])
+        classes, nothing = self._with_orders(
+            [
+                replace(one, bits=one.bits + self._habits(one.words) + self._meaning(one.words))
+                for one in self._merged(search.best())
+            ]
+        )
+        bits = np.array([*(one.bits for one in classes), nothing])
         weights = np.exp2(-(bits - bits.min()))
         weights /= weights.sum()
         order = np.argsort(-weights[:-1], kind="stable")
@@ -77,10 +65,26 @@ class _Weighing:
             self.truths,
             tuple(classes[int(k)] for k in order),
             tuple(map(float, weights[order])),
-            filling,
+            evidence.fillings,
             float(weights[-1]),
             evidence.full,
         )
+
+    def _with_orders(self, classes: Sequence[Class]) -> tuple[list[Class], float]:
+        """The classes with an order of placement or without; the bits of what cannot be said.
+
+        Any row in a certain order is an exercise. Any row in any order is none: then it is about
+        something that cannot be said.
+        """
+        shares = dict(self.evidence.fillings)
+        none = shares.pop(None)
+        some = sum(shares.values())
+        with_rules, alone = log2(none + (1 - ALONE) * some), log2(ALONE * some) + FREE_BITS
+        weighed = [
+            replace(one, bits=one.bits - (with_rules if one.parts else alone)) for one in classes
+        ]
+        free = [log2(none) - one.bits for one in classes if not one.parts]
+        return weighed, -float(np.logaddexp2.reduce([-self._of_nothing(), *free]))
 
     def _merged(self, found: Iterable[Found]) -> Iterable[Class]:
         """Hypotheses that allow the same rows everywhere are one; the best of them says it."""
