@@ -22,6 +22,7 @@ from maestra.web.teach.actions import (
     JudgePlay,
     LayOut,
     Put,
+    Show,
     Take,
     Try,
     Undo,
@@ -71,6 +72,11 @@ def refused(draft: Draft, *actions: Action) -> Why:
     with pytest.raises(CannotError) as error:
         act(draft, last)
     return error.value.why
+
+
+def test_a_demonstration_on_another_board_is_refused() -> None:
+    other = new_draft(DECK, Board(4, 3), 1)
+    assert refused(NEW, Show(put(other, "a", 1, 1).showing)) is Why.IN_USE
 
 
 @given(drafts())

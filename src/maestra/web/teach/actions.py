@@ -49,6 +49,8 @@ class Why(Enum):
     """More tokens than storage cells."""
     NO_EXAM = "no-exam"
     TOO_MANY_DRAFTS = "too-many-drafts"
+    NO_NAME = "no-name"
+    """Empty, too long, or with letters that no name may have."""
     NAME_TAKEN = "name-taken"
     """Another exercise of the library has it."""
 
@@ -104,7 +106,7 @@ class Finish:
 
 @dataclass(frozen=True, slots=True)
 class Show:
-    """A whole demonstration at once."""
+    """A whole demonstration at once, on the draft's board."""
 
     showing: Showing
 
@@ -226,6 +228,8 @@ def act(draft: Draft, action: Action) -> Draft:  # noqa: C901, PLR0912 - a case 
         case Finish():
             return _finished(draft)
         case Show(showing):
+            if showing.dealt.board != draft.board:
+                raise CannotError(Why.IN_USE)
             return _finished(replace(draft, showing=showing))
         case Undo(whole):
             return _undone(draft, whole=whole)

@@ -42,7 +42,8 @@ from maestra.web.teach.actions import (
 from maestra.web.teach.bench import AtBench, Bench
 from maestra.web.teach.desk import MAX_SEED, Kept, StaleError, Work, new_seed
 from maestra.web.teach.draft import BroughtBack, Draft, TakenBack
-from maestra.web.teach.routes import MOST_OF_NAME, SAYINGS
+from maestra.web.teach.routes import SAYINGS
+from maestra.web.teach.saving import MOST_OF_NAME
 from maestra.web.teach.saving import save as save_exercise
 from maestra.web.teach.showing import MAX_TOUCHES, CannotTouchError, Showing, Touch
 from maestra.web.teach.understanding import dialogue_of, exercise_of, reply_to, slip_of

@@ -137,6 +137,7 @@ class Bench:
             Why.IN_USE: say("Your demonstrations need the tokens and the board as they are."),
             Why.NO_ROOM: say("There are more tokens than storage cells."),
             Why.NO_EXAM: say("The examples are over."),
+            Why.NO_NAME: say("Please write a name, of at most 80 letters."),
             Why.NAME_TAKEN: say("The library has an exercise of this name. Please take another."),
             Why.TOO_MANY_DRAFTS: say("You have very many exercises begun. Please delete some."),
         }

@@ -10,7 +10,6 @@ from typing import Annotated, Final
 from fastapi import APIRouter, Form, HTTPException, Query
 from fastapi.responses import HTMLResponse, RedirectResponse, Response
 
-from maestra.core.text import faults_of_name
 from maestra.learning.dialogue import (
     CellIsWrong,
     Counts,
@@ -39,12 +38,9 @@ from maestra.web.teach.actions import (
 from maestra.web.teach.bench import AtBench, Bench, Seen, WhyNot, path_of, pressed
 from maestra.web.teach.desk import Kept, new_seed
 from maestra.web.teach.draft import BroughtBack, Draft, Reply, TakenBack
-from maestra.web.teach.saving import from_exercise, save
+from maestra.web.teach.saving import MOST_OF_NAME, from_exercise, save
 from maestra.web.teach.understanding import reply_to
 from maestra.web.teach.views import Views
-
-MOST_OF_NAME: Final = 80
-"""Letters of an exercise's name: it stands on buttons."""
 
 AGAIN: Final = "again"
 """A likely slip is taken back, and the board is there to show it again."""
@@ -232,16 +228,13 @@ def name(
 def save_it(bench: AtBench, draft: str, name: Annotated[str, Form()] = "") -> Response:
     """Keep it in the library under a name."""
     wanted = name.strip()
-    fault = ""
-    if faults_of_name("name", wanted) or len(wanted) > MOST_OF_NAME:
-        fault = bench.pages.say("Please write a name, of at most 80 letters.")
-    else:
-        try:
-            bench.desk.change(draft, lambda now: save(bench.context, bench.visitor, now, wanted))
-        except CannotError as error:
-            fault = bench.why(error.why.value)
-    if fault:
-        return _shown(bench, bench.desk.find(draft), typed=_Typed(name, fault))
+    try:
+        bench.desk.change(draft, lambda now: save(bench.context, bench.visitor, now, wanted))
+    except CannotError as error:
+        kept = bench.desk.find(draft)
+        if error.why in {Why.NO_NAME, Why.NAME_TAKEN}:
+            return _shown(bench, kept, typed=_Typed(name, bench.why(error.why.value)))
+        return RedirectResponse(f"{path_of(draft)}?why={error.why.value}", 303)
     return RedirectResponse(path_of(draft), 303)
 
 

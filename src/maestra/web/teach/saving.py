@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import assert_never
+from typing import Final, assert_never
 
 from maestra.core.demonstration import Demonstration
 from maestra.core.faults import InvalidError
 from maestra.core.formats import encode_demonstration, read_demonstrations
 from maestra.core.state import State
+from maestra.core.text import faults_of_name
 from maestra.rules.exercise import Exercise, GroundedExercise, LearnStatus, RuledExercise
 from maestra.rules.exercise_format import decode_exercise, encode_exercise
 from maestra.rules.features import FRAME
@@ -25,13 +26,18 @@ from maestra.web.teach.draft import Draft, Recalled, Shown, Step, Told
 from maestra.web.teach.showing import Showing, Touch
 from maestra.web.teach.understanding import exercise_of
 
+MOST_OF_NAME: Final = 80
+"""Letters of an exercise's name: it stands on buttons."""
+
 
 def save(context: Context, visitor: Visitor, draft: Draft, name: str) -> Keep:
     """Keep what the draft comes to as a new version of `name`; that is what was done then.
 
     Raises:
-        CannotError: nothing was shown or told yet; the name is that of another exercise.
+        CannotError: the name is none, or that of another exercise; nothing was shown or told.
     """
+    if faults_of_name("name", name) or len(name) > MOST_OF_NAME:
+        raise CannotError(Why.NO_NAME)
     exercise = exercise_of(draft)
     if exercise is None:
         raise CannotError(Why.NOTHING_SHOWN)
