@@ -1,13 +1,20 @@
-"""Pictures for tokens: what they are by their bytes, how large, and how they are served."""
+"""Pictures for tokens: what may come in, what is kept of it, and how it is served.
+
+What comes in is decoded and written anew, so that nothing is kept but what is to be seen: not the
+place, the time or the camera that photographs tell of, nor a thumbnail of what was cut away.
+"""
 
 from __future__ import annotations
 
+import io
 import re
-from dataclasses import dataclass
+import threading
+from collections.abc import Mapping
 from pathlib import PurePath
 from typing import Annotated, Final
 
 from fastapi import APIRouter, Depends, HTTPException, Path, Response
+from PIL import Image, ImageOps
 
 from maestra.core.faults import Fault
 from maestra.storage.drafts import Digest, Drafts, StoredPicture
@@ -18,22 +25,23 @@ from maestra.web.teach.decks import MOST_LETTERS, Unfit, UnfitError
 MOST_BYTES: Final = 4 * 1024 * 1024
 """Of one picture: a photograph of a telephone in its usual quality."""
 MOST_PIXELS: Final = 40_000_000
-"""Of one picture: what a telephone's camera makes; more would only be work for the browser."""
+"""Of one picture: what a telephone's camera makes. Decoded it takes 160 MB for a moment; a small
+file that unfolds to more was made to fill the memory."""
+LARGEST_SIDE: Final = 640
+"""Pixels of what is kept: a cell of the largest screens, twice as dense as it is laid out."""
 MOST_AT_ONCE: Final = 20
 """Files of one form."""
 KEPT_FOR_S: Final = 365 * 24 * 3600
 """In the browser: a picture of these bytes never changes."""
 
+_FORMATS: Final = ("PNG", "JPEG", "WEBP", "GIF")
+"""That come in: whatever cameras and browsers make, and no others of the decoder's many."""
+_QUALITY: Final = 85
+"""Of the WebP that is kept: a photograph takes some 50 kB, a drawing keeps its edges."""
+_DECODING: Final = threading.Lock()
+"""One picture at a time: twenty threads with a large one each would fill a small computer."""
+
 router: Final = APIRouter()
-
-
-@dataclass(frozen=True, slots=True)
-class Picture:
-    """A picture that may be kept."""
-
-    media_type: str
-    width: int
-    height: int
 
 
 @router.get(
@@ -56,25 +64,29 @@ def picture(context: Here, digest: Annotated[str, Path(pattern="^[0-9a-f]{64}$")
     return Response(found.content, media_type=found.media_type, headers=headers)
 
 
+def addresses(shown: Mapping[str, Digest]) -> Mapping[str, str]:
+    """Where pictures are served, by what the tokens show."""
+    return {value: f"/pictures/{digest}" for value, digest in shown.items()}
+
+
 def stored(content: bytes, file: str) -> StoredPicture:
-    """The picture in a file's bytes.
+    """The picture in a file's bytes, upright and still, with nothing else that was in the file.
 
     Raises:
-        UnfitError: it is too large, or no PNG, JPEG, WebP or GIF.
+        UnfitError: it is too large, or no PNG, JPEG, WebP or GIF, or a broken one.
     """
     if len(content) > MOST_BYTES:
-        raise _refused(
-            Unfit.LARGE_FILE, file, f"{len(content)} bytes", f"at most {MOST_BYTES} bytes"
-        )
-    found = recognised(content)
-    if found is None:
-        expected = "a picture: PNG, JPEG, WebP or GIF"
-        raise _refused(Unfit.NO_PICTURE, file, "something else", expected)
-    if not 0 < found.width * found.height <= MOST_PIXELS:
-        pixels = f"{found.width} x {found.height} pixels"
+        found, expected = f"{len(content)} bytes", f"at most {MOST_BYTES} bytes"
+        raise _refused(Unfit.LARGE_FILE, file, found, expected)
+    try:
+        with _DECODING, Image.open(io.BytesIO(content), formats=_FORMATS) as image:
+            return StoredPicture("image/webp", _anew(image))
+    except (Image.DecompressionBombError, Image.DecompressionBombWarning):
         expected = f"at most {MOST_PIXELS} pixels in all"
-        raise _refused(Unfit.LARGE_PICTURE, file, pixels, expected)
-    return StoredPicture(found.media_type, content)
+        raise _refused(Unfit.LARGE_PICTURE, file, "a larger picture", expected) from None
+    except Exception:  # noqa: BLE001 - broken bytes make each decoder fail in ways of its own
+        expected = "a picture: PNG, JPEG, WebP or GIF"
+        raise _refused(Unfit.NO_PICTURE, file, "something else", expected) from None
 
 
 def name_of(file: str) -> str:
@@ -84,57 +96,25 @@ def name_of(file: str) -> str:
     return words[:MOST_LETTERS] or "?"
 
 
-def recognised(content: bytes) -> Picture | None:
-    """What the bytes are and how large the picture is; None if they are none that is known."""
-    if content.startswith(b"\x89PNG\r\n\x1a\n") and content[12:16] == b"IHDR":
-        return Picture("image/png", _big(content[16:20]), _big(content[20:24]))
-    if content[:6] in {b"GIF87a", b"GIF89a"}:
-        return Picture("image/gif", _little(content[6:8]), _little(content[8:10]))
-    if content[:4] == b"RIFF" and content[8:12] == b"WEBP":
-        return _webp(content)
-    if content.startswith(b"\xff\xd8\xff"):
-        return _jpeg(content)
-    return None
+def _anew(image: Image.Image) -> bytes:
+    """What is to be seen, as WebP: of a film the first picture, for nothing moves by itself.
 
-
-def _webp(content: bytes) -> Picture | None:
-    """Each of the three kinds has its size elsewhere (WebP container specification)."""
-    kind = content[12:16]
-    if kind == b"VP8X" and len(content) >= 30:  # noqa: PLR2004 - where the size ends
-        return Picture("image/webp", 1 + _little(content[24:27]), 1 + _little(content[27:30]))
-    if kind == b"VP8L" and content[20:21] == b"\x2f":
-        packed = _little(content[21:25])
-        return Picture("image/webp", 1 + (packed & 0x3FFF), 1 + (packed >> 14 & 0x3FFF))
-    if kind == b"VP8 " and content[23:26] == b"\x9d\x01\x2a":
-        width, height = _little(content[26:28]), _little(content[28:30])
-        return Picture("image/webp", width & 0x3FFF, height & 0x3FFF)
-    return None
-
-
-_FRAMES: Final = frozenset({*range(0xC0, 0xD0)} - {0xC4, 0xC8, 0xCC})
-"""Markers of a JPEG's frame, which says how large the picture is (ITU T.81, table B.1)."""
-
-
-def _jpeg(content: bytes) -> Picture | None:
-    place = 2
-    while place + 9 <= len(content) and content[place] == 0xFF:  # noqa: PLR2004 - a marker begins
-        marker = content[place + 1]
-        if marker in _FRAMES:
-            height, width = (
-                _big(content[place + 5 : place + 7]),
-                _big(content[place + 7 : place + 9]),
-            )
-            return Picture("image/jpeg", width, height)
-        place += 2 + max(2, _big(content[place + 2 : place + 4]))
-    return None
-
-
-def _big(part: bytes) -> int:
-    return int.from_bytes(part, "big")
-
-
-def _little(part: bytes) -> int:
-    return int.from_bytes(part, "little")
+    Raises:
+        DecompressionBombError: it has too many pixels; nothing was decoded yet.
+        Exception: whatever its decoder finds wrong.
+    """
+    if image.width * image.height > MOST_PIXELS:
+        raise Image.DecompressionBombError
+    # A JPEG is decoded at about the size that is kept; the others ignore it.
+    image.draft("RGB", (LARGEST_SIDE, LARGEST_SIDE))
+    upright = ImageOps.exif_transpose(image)
+    plain = upright.convert("RGBA" if upright.has_transparency_data else "RGB")
+    plain.thumbnail((LARGEST_SIDE, LARGEST_SIDE))
+    # Some encoders write down what was read besides the dots.
+    plain.info.clear()
+    written = io.BytesIO()
+    plain.save(written, "WEBP", quality=_QUALITY)
+    return written.getvalue()
 
 
 def _refused(why: Unfit, file: str, found: str, expected: str) -> UnfitError:

@@ -32,10 +32,10 @@ from maestra.rules.exercise import GroundedExercise, LearnStatus, RuledExercise
 from maestra.rules.forms.length import FullRow
 from maestra.rules.setting import Index, Play, Setting
 from maestra.rules.summaries.summary import Check, summarise
-from maestra.storage.drafts import Digest
 from maestra.web.board_view import BoardView, board_view
 from maestra.web.rule_drawing import draw_rule
 from maestra.web.teach.draft import Draft
+from maestra.web.teach.pictures import addresses
 from maestra.web.teach.understanding import (
     dialogue_of,
     exercise_of,
@@ -43,7 +43,6 @@ from maestra.web.teach.understanding import (
     teacher_of,
 )
 
-PICTURES: Final = "/pictures"
 MAX_OTHERS: Final = 3
 """Other exercises that may be meant: more than three are not read."""
 SURE: Final = 0.95
@@ -317,11 +316,6 @@ class Views:
 
     def _say(self, key: TerminalKey, **parts: object) -> str:
         return terminal_sentence(key, self.language, **parts)
-
-
-def addresses(pictures: Mapping[str, Digest]) -> Mapping[str, str]:
-    """Where the pictures of tokens are, by what the tokens show."""
-    return {value: f"{PICTURES}/{digest}" for value, digest in pictures.items()}
 
 
 def _percent(share: float) -> int:
