@@ -17,6 +17,7 @@ from maestra.web.progress.figures import figures, forget
 from maestra.web.progress.routes import A_PAGE
 from tests.web.played import play
 from tests.web.progress.conftest import HERON, As
+from tests.web.rooms.exercises import keep_cups
 
 
 def test_without_sessions_the_pages_say_so(browsing: As) -> None:
@@ -113,6 +114,18 @@ def test_a_researcher_sees_everybodys_progress_by_pseudonym_only(
         answer = researcher.get(path)
         assert answer.status_code == 200
         assert "Rosa" not in answer.text
+
+
+def test_a_replay_shows_pictures_to_those_who_know_the_patient(
+    browsing: As, context: Context
+) -> None:
+    picture = keep_cups(context.store)
+    (identity,) = play(context.store, HERON, "cups")
+    path = f"/progress/heron/sessions/{identity}"
+    assert browsing().get(path).text.count(f'<img src="{picture}"') == 10
+    page = browsing("rita", Role.RESEARCHER).get(path).text
+    assert picture not in page
+    assert "cup" in page
 
 
 def test_a_caregiver_sees_names_and_nobody_elses_patients(browsing: As, context: Context) -> None:

@@ -1,6 +1,7 @@
 """An exercise to play in a room, and somebody who plays it."""
 
 import json
+from dataclasses import replace
 from typing import Final
 
 from maestra.coaching.ports import PatientId, Store
@@ -8,7 +9,7 @@ from maestra.coaching.remembered import Remembered, write_remembered
 from maestra.coaching.settings import Settings
 from maestra.core.board import Board, Cell, Column, Row
 from maestra.core.state import Move
-from maestra.core.tokens import TokenId
+from maestra.core.tokens import Deck, Token, TokenId
 from maestra.rules.exercise import LearnStatus, RuledExercise, meant_rules
 from maestra.rules.exercise_format import encode_exercise
 from maestra.rules.forms.base import Direction
@@ -17,7 +18,10 @@ from maestra.rules.forms.order import Ordered
 from maestra.rules.forms.timing import Filling, FillOrder
 from maestra.rules.paper import NUMBER_DECK
 from maestra.rules.setting import Line
+from maestra.storage.drafts import Drafts, StoredPicture
+from maestra.storage.store import SqlStore
 from maestra.web.rooms.room import Room
+from maestra.web.token_view import PICTURE
 
 RULES: Final = (
     Ordered("value", Direction.RISING, strict=True, line=Line.ROW),
@@ -41,6 +45,16 @@ def prepare(store: Store, settings: Settings | None = None) -> None:
     store.save_exercise("ascending", encode_exercise(ASCENDING))
     for patient in (HERON, PLOVER):
         store.save_settings(patient, write_remembered(Remembered(settings or Settings())))
+
+
+def keep_cups(store: SqlStore) -> str:
+    """Have the store know an exercise with a picture on each token; the picture's address."""
+    tokens = [Token(one.id, (*one.attributes, (PICTURE, "cup"))) for one in NUMBER_DECK.tokens]
+    exercise = replace(ASCENDING, deck=Deck(tuple(tokens)))
+    version = store.save_exercise("cups", encode_exercise(exercise))
+    digest = Drafts(store).keep_picture(StoredPicture("image/png", b"png"))
+    Drafts(store).save_shown("cups", version, {"cup": digest})
+    return f"/pictures/{digest}"
 
 
 def right_move(room: Room) -> Move:

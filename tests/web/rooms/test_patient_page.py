@@ -2,7 +2,6 @@
 
 import re
 from collections.abc import Callable
-from dataclasses import replace
 
 import pytest
 from fastapi import FastAPI
@@ -12,11 +11,7 @@ from starlette.websockets import WebSocketDisconnect
 from maestra.coaching.events import Begun, EndOrdered, Paused, TokenLifted, TokenPlaced
 from maestra.coaching.settings import Helper, Modality, Settings
 from maestra.core.board import Cell
-from maestra.core.tokens import Deck, Token
 from maestra.language import Language
-from maestra.rules.exercise_format import encode_exercise
-from maestra.rules.paper import NUMBER_DECK
-from maestra.storage.drafts import Drafts, StoredPicture
 from maestra.web.access.devices import Device, DeviceId, DeviceKind, screen_of
 from maestra.web.access.visitor import Role
 from maestra.web.context import Context
@@ -26,8 +21,14 @@ from maestra.web.rooms.patient_page import SCREEN_STREAM
 from maestra.web.rooms.room import Room
 from maestra.web.rooms.rooms import Rooms
 from maestra.web.rooms.stage import RoomName
-from maestra.web.token_view import PICTURE
-from tests.web.rooms.exercises import ASCENDING, HERON, PLOVER, prepare, right_move, wrong_move
+from tests.web.rooms.exercises import (
+    HERON,
+    PLOVER,
+    keep_cups,
+    prepare,
+    right_move,
+    wrong_move,
+)
 
 Login = Callable[[Role], TestClient]
 
@@ -145,16 +146,12 @@ def test_a_sitting_has_as_many_rounds_as_were_set(
 def test_tokens_show_the_pictures_of_their_exercise(
     rooms: Rooms, context: Context, caregiver: TestClient
 ) -> None:
-    tokens = [Token(one.id, (*one.attributes, (PICTURE, "cup"))) for one in NUMBER_DECK.tokens]
-    exercise = replace(ASCENDING, deck=Deck(tuple(tokens)))
-    version = context.store.save_exercise("cups", encode_exercise(exercise))
-    digest = Drafts(context.store).keep_picture(StoredPicture("image/png", b"png"))
-    Drafts(context.store).save_shown("cups", version, {"cup": digest})
+    picture = keep_cups(context.store)
     room = rooms.begin(HERON, "cups")
     room.tell(Begun())
-    assert f"/pictures/{digest}" in caregiver.get("/rooms/1").text
+    assert picture in caregiver.get("/rooms/1").text
     drawn = [one.picture for one in (room.state.tokens or {}).values() if one.picture]
-    assert drawn == [f"/pictures/{digest}"] * 10
+    assert drawn == [picture] * 10
 
 
 def test_the_page_is_in_the_patients_language_whoever_looks(

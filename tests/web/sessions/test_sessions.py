@@ -17,7 +17,7 @@ from maestra.web.rooms.room import Room
 from maestra.web.rooms.rooms import MOST_ROOMS, NoRoomLeftError, Rooms
 from maestra.web.rooms.stage import RoomName
 from tests.web.conftest import StillClock
-from tests.web.rooms.exercises import right_move, wrong_move
+from tests.web.rooms.exercises import keep_cups, right_move, wrong_move
 from tests.web.sessions.conftest import HERON, As, begin
 
 
@@ -42,6 +42,15 @@ def test_a_session_is_chosen_begun_and_listed(browsing: As, rooms: Rooms) -> Non
     assert "Nobody has sat down yet" in watched
     assert f'data-stream="/api/rooms/{the_room(rooms).name}/stream"' in watched
     assert "nobody sits there yet" in browser.get("/sessions").text
+
+
+def test_the_caregiver_sees_the_pictures_that_the_patient_sees(
+    browsing: As, context: Context
+) -> None:
+    picture = keep_cups(context.store)
+    browser = browsing()
+    page = browser.get(begin(browser, exercise="cups")).text
+    assert page.count(f'<img src="{picture}"') == 10
 
 
 def test_assigned_exercises_come_first_and_are_chosen(browsing: As, context: Context) -> None:

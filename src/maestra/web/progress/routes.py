@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from datetime import datetime
 from math import ceil
@@ -19,7 +20,7 @@ from maestra.language.reports import report_words
 from maestra.web.access.guard import Following
 from maestra.web.access.ownership import patients_of, sees_names
 from maestra.web.access.visitor import Right, Visitor
-from maestra.web.board_view import board_view, tokens_by_id
+from maestra.web.board_view import NO_PICTURES, board_view, tokens_by_id
 from maestra.web.context import Context, Here
 from maestra.web.pages import Page, Pages
 from maestra.web.patients.addresses import MOST_IN_ADDRESS, name_at, segment_of
@@ -37,6 +38,7 @@ from maestra.web.progress.words import (
     why_words,
 )
 from maestra.web.sessions.evidence import said_in
+from maestra.web.teach.pictures import shown_in
 
 A_PAGE: Final = 20
 """Sessions in the table of a page: its weight has a limit, and so has patience."""
@@ -274,6 +276,7 @@ def replay(
         held=moment.held,
         pointed=moment.pointed,
         wrong=moment.wrong,
+        pictures=_pictures(reader, stored),
     )
     return reader.page(
         "progress/replay.html",
@@ -297,6 +300,13 @@ def replay(
             for one in _around(whole.notable, moment.number)
         ],
     )
+
+
+def _pictures(reader: Reader, stored: StoredSession) -> Mapping[str, str]:
+    """What stood on the tokens, for those who know the patient: family may be in the pictures."""
+    if not sees_names(reader.visitor):
+        return NO_PICTURES
+    return shown_in(reader.context.store, stored.exercise, stored.version)
 
 
 def _judged(reader: Reader, stored: StoredSession) -> list[str]:

@@ -34,11 +34,11 @@ from maestra.coaching.running import Running
 from maestra.coaching.session import Phase, Session, due
 from maestra.coaching.settings import Settings
 from maestra.coaching.sitting import rise
-from maestra.storage.drafts import Drafts
 from maestra.storage.store import SqlStore
 from maestra.web.clock import Clock
 from maestra.web.rooms.listeners import Listener, offer_all
 from maestra.web.rooms.stage import RoomName, RoomState, Said, Scenery, Stage
+from maestra.web.teach.pictures import shown_in
 
 MOST_EVENTS: Final = 50_000
 """Of one session: a move a second for half a day. More is a program that runs wild."""
@@ -275,8 +275,7 @@ class Room:
         running = Running(
             stored.session, start, ReplayBoard(()), (), self._store.events, self._utc()
         )
-        shown = Drafts(self._store).shown(stored.exercise, stored.version)
-        pictures = {value: f"/pictures/{digest}" for value, digest in shown.items()}
+        pictures = shown_in(self._store, stored.exercise, stored.version)
         can_speak = self._can_speak
         scenery = Scenery.of(
             self.name, stored.session, start, pictures, number=number, can_speak=can_speak

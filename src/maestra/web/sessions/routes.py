@@ -326,6 +326,7 @@ def _board(room: Room, start: Start, pages: Pages) -> object:
         held=state.held[-1] if state.held else None,
         pointed=state.pointed,
         wrong=[session.table.cells[token] for token in astray],
+        pictures={} if room.scenery is None else room.scenery.pictures,
     )
 
 

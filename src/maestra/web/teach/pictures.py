@@ -18,6 +18,7 @@ from PIL import Image, ImageOps
 
 from maestra.core.faults import Fault
 from maestra.storage.drafts import Digest, Drafts, StoredPicture
+from maestra.storage.store import SqlStore
 from maestra.web.access.devices import participant_of
 from maestra.web.context import Here
 from maestra.web.teach.decks import MOST_LETTERS, Unfit, UnfitError
@@ -67,6 +68,11 @@ def picture(context: Here, digest: Annotated[str, Path(pattern="^[0-9a-f]{64}$")
 def addresses(shown: Mapping[str, Digest]) -> Mapping[str, str]:
     """Where pictures are served, by what the tokens show."""
     return {value: f"/pictures/{digest}" for value, digest in shown.items()}
+
+
+def shown_in(store: SqlStore, exercise: str, version: int) -> Mapping[str, str]:
+    """The addresses of the pictures of an exercise's version, by what its tokens show."""
+    return addresses(Drafts(store).shown(exercise, version))
 
 
 def stored(content: bytes, file: str) -> StoredPicture:
