@@ -16,6 +16,7 @@ from maestra.language import (
     Language,
     check_sentence,
     explain_action,
+    feature_of_token,
     gap_sentences,
     reason,
     rule_sentences,
@@ -511,3 +512,20 @@ def test_when_no_reason_is_short_enough_a_plain_one_is_left() -> None:
 def test_a_comparative_alone_agrees_with_a_token() -> None:
     speaker = speaker_for(ES, BOARD, DECK)
     assert speaker.sentence(Adjective("size", Degree.LEAST)) == "Más pequeña"
+
+
+@pytest.mark.parametrize(
+    ("feature", "said"),
+    [
+        ("multiple-of-5", ("is a multiple of 5", "es múltiplo de 5", "és múltiple de 5")),
+        ("digits-1", ("has one digit", "tiene una cifra", "té una xifra")),
+        ("above-30", ("is above 30", "está por encima de 30", "està per sobre de 30")),
+        ("odd", ("is odd", "es impar", "és senar")),
+    ],
+)
+def test_what_a_feature_says_of_a_token_begins_with_the_verb(
+    feature: str, said: tuple[str, str, str]
+) -> None:
+    deck = Deck((Token(TokenId("19"), number(19)), Token(TokenId("30"), number(30))))
+    of = TokenFeature(feature, "value")
+    assert tuple(feature_of_token(of, BOARD, deck, language) for language in Language) == said

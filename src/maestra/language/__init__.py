@@ -9,6 +9,7 @@ from maestra.language.sentences import Sentence as Sentence
 from maestra.language.sentences import check_sentence as check_sentence
 from maestra.language.sentences import conjunction_sentences as conjunction_sentences
 from maestra.language.sentences import explain_action as explain_action
+from maestra.language.sentences import feature_of_token as feature_of_token
 from maestra.language.sentences import gap_sentences as gap_sentences
 from maestra.language.sentences import reason as reason
 from maestra.language.sentences import rule_sentences as rule_sentences

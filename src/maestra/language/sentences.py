@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 
+from maestra.core.board import Board
 from maestra.core.tokens import Deck
 from maestra.language.keys import Key
 from maestra.language.languages import Language, speaker_for
@@ -17,6 +18,7 @@ from maestra.language.of_verdicts import MAX_WORDS, reasons
 from maestra.language.phrases import Named, Nth, say
 from maestra.rules.account import Account
 from maestra.rules.exercise import RuledExercise
+from maestra.rules.features import TokenFeature
 from maestra.rules.rule import Rule
 from maestra.rules.strips.actions import Action, ActionModel
 from maestra.rules.summaries.summary import Summary
@@ -64,6 +66,18 @@ def conjunction_sentences(
     speaker = speaker_for(language, exercise.board, exercise.deck, lexicon)
     said = Rules(Tokens(exercise.board, exercise.deck))
     return tuple(speaker.sentence(said.says(rule)) for rule in rules)
+
+
+def feature_of_token(
+    feature: TokenFeature,
+    board: Board,
+    deck: Deck,
+    language: Language,
+    lexicon: Lexicon = NO_LEXICON,
+) -> str:
+    """What a feature says of a token of `deck`, from the verb on: ``is a multiple of 5``."""
+    said = Tokens(board, deck).has(feature)
+    return speaker_for(language, board, deck, lexicon).spoken(said).text
 
 
 def gap_sentences(
