@@ -1,6 +1,7 @@
 """Every page there is, with something to show: for everybody, on every screen, in its budget."""
 
-from dataclasses import dataclass
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, replace
 from typing import Final
 
 import pytest
@@ -9,6 +10,8 @@ from playwright.sync_api import Page, Request
 
 from maestra.coaching.ports import SessionId
 from maestra.language import Language
+from maestra.storage.access import Account
+from maestra.web.access.second_factor import new_secret
 from maestra.web.access.visitor import Role
 from maestra.web.application import ROUTERS
 from tests.browser.axe import findings
@@ -18,6 +21,7 @@ from tests.browser.roles import log_in
 from tests.browser.serving import Served
 from tests.browser.sizes import Size
 from tests.browser.world import PIN, World, populate
+from tests.web.people import PASSWORD, add_account
 
 MOST_BYTES: Final = 60_000
 """Of a page with its style and module, as they are sent; pictures are not counted."""
@@ -38,12 +42,19 @@ CAREGIVERS: Final = (
 ADMINISTRATORS: Final = ("/accounts", "/accounts/{account}", "/audit")
 PATIENTS: Final = ("/rooms/{name}", "/patient")
 ON_THE_WAY: Final = ("/login/code", "/account/new-password", "/account/second-factor")
-"""Only there while somebody logs in or sets a factor up; else they lead on."""
+"""Only there for who has an account as in `STATES`; others are led on."""
 NO_PAGES: Final = (
     *("/library/{wanted}/file", "/library/{wanted}/picture", "/library/{wanted}/pddl"),
     *("/patients/{pseudonym}/everything.json", "/patients/{pseudonym}/preview/heard"),
     "/pictures/{digest}",
 )
+NEXT_CENTURY_MS: Final = 4_102_444_800_000
+STATES: Final[Mapping[str, Callable[[Account], Account]]] = {
+    "/login/code": lambda one: replace(one, secret=new_secret()),
+    "/account/new-password": lambda one: replace(one, temporary_until_ms=NEXT_CENTURY_MS),
+    "/account/second-factor": lambda one: replace(one, offered_secret=new_secret()),
+}
+"""What an account must be like for whoever logs in with it to get to each page on the way."""
 QUERIES: Final = {"/progress/{pseudonym}/exercise": "?name=Five+numbers%2C+ascending"}
 
 
@@ -169,4 +180,24 @@ def test_every_page_for_who_is_not_logged_in_is_for_everybody(
     served.context.doors.open_set_up()
     world = World("", "", SessionId(""), "", "")
     found = Visit(page_at, world, Reader.CAREGIVER).look(NOBODY)
+    assert found == []
+
+
+def test_every_page_on_the_way_is_for_everybody(
+    served: Served, open_browser: OpenBrowser, size: Size
+) -> None:
+    world = World("", "", SessionId(""), "", "")
+    found: list[str] = []
+    for path in ON_THE_WAY:
+        page = open_browser(size).new_page()
+        name = path.rpartition("/")[2]
+        own = add_account(served.context, name)
+        served.context.store.access.change_account(own.account, STATES[path])
+        page.goto("/login")
+        page.locator("#name").fill(name)
+        page.locator("#password").fill(PASSWORD)
+        page.locator("main form button").click()
+        page.wait_for_url(lambda url: not url.endswith("/login"))
+        found += Visit(page, world, Reader.CAREGIVER).look((path,))
+        assert page.url == f"{served.url}{path}"
     assert found == []
