@@ -12,10 +12,11 @@ from pydantic import BaseModel, ConfigDict, Field, StrictInt, StrictStr
 
 from maestra.core.demonstration import MAX_MOVES
 from maestra.core.faults import Fault, InvalidError, attempt, refuse, shorten
-from maestra.core.formats import BoardJson, DeckJson, encode_attributes, encode_deck
+from maestra.core.formats import BoardJson, encode_attributes, encode_deck
 from maestra.core.json_faults import Expecting
 from maestra.rules.exercise import Deletion, GroundedExercise, Provenance
 from maestra.rules.features import Feature, labelled_feature
+from maestra.rules.picture_format import PicturedJson
 from maestra.rules.strips.actions import Action, ActionModel
 from maestra.rules.strips.literal_format import (
     LiteralDecoder,
@@ -151,7 +152,7 @@ class ActionJson(_Strict):
         return faults
 
 
-class GroundedJson(DeckJson):
+class GroundedJson(PicturedJson):
     """An exercise as the paper learns it: an action for each token and step of a play."""
 
     format: Annotated[

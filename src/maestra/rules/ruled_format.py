@@ -13,7 +13,7 @@ from pydantic.functional_validators import PlainValidator
 from pydantic.json_schema import WithJsonSchema
 
 from maestra.core.faults import Fault, InvalidError, attempt, refuse
-from maestra.core.formats import BoardJson, DeckJson, encode_deck
+from maestra.core.formats import BoardJson, encode_deck
 from maestra.core.json_faults import AtMost, Expecting
 from maestra.rules.evidence_format import EvidenceJson, encode_evidence, json_text, list_field
 from maestra.rules.exercise import (
@@ -24,6 +24,7 @@ from maestra.rules.exercise import (
     MeantRule,
     RuledExercise,
 )
+from maestra.rules.picture_format import PicturedJson
 from maestra.rules.rule import MAX_RULES, Rule
 from maestra.rules.rule_json import RuleJson, decode_rule, encode_rule
 
@@ -92,7 +93,7 @@ class AlternativeJson(_Strict):
         return Alternative(rules, self.weight)
 
 
-class RuledJson(DeckJson):
+class RuledJson(PicturedJson):
     """An exercise made of rules: a play that keeps all of them is right."""
 
     format: Annotated[
