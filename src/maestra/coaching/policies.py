@@ -6,16 +6,15 @@ A policy is asked before each attempt at a move and answers with an assistance l
 best level for each part of the game, attempt and last outcome: 288 numbers. A patient gives some
 ten outcomes a session, so here less is learned and more is worked out: how likely an attempt is
 right at each level, and how likely there is none; what is best in which situation follows by a
-plan (`planning`), which helps as little as it can without losing more than a few sessions of a
-hundred against the most help. The beliefs are Beta distributions with their means taken for
-certain (certainty equivalence [1]): trying levels out for the sake of knowing them would be at
-the patient's expense, and what a session brings anyway is enough to learn from.
+plan (`planning`), in which help has a price. The beliefs are Beta distributions with their means
+taken for certain (certainty equivalence [1]): trying levels out for the sake of knowing them
+would be at the patient's expense, and what a session brings anyway is enough to learn from.
 
 The first beliefs come from the profile (`_FIRST_RIGHT`), each worth `PRIOR_WORTH` outcomes, so
 that a few sessions outweigh them; that an attempt does not come counts over all levels together,
 for it depends on the patient more than on the hint; counts are halved when they exceed `MEMORY`
-outcomes, so that a patient who changes is followed. The robot's initial behaviour says how many
-sessions may be lost (`_SPARES`).
+outcomes, so that a patient who changes is followed. The price follows from the profile and the
+robot's initial behaviour (`_PRICES`, `_BOLDNESS`).
 
 [1] Patterns, Predictions, and Actions, chapter on reinforcement learning, mlstory.org/rl.html.
 """
@@ -31,7 +30,7 @@ from typing import Annotated, Any, Final, Literal, TypeAlias, assert_never, cast
 from pydantic import Field, StrictInt, TypeAdapter
 
 from maestra.coaching.fields import MAX_LEVEL, STRICT, Level, decode
-from maestra.coaching.planning import Odds, least_help
+from maestra.coaching.planning import Odds, best_help
 from maestra.coaching.settings import Behaviour, Mental, PolicyName, Settings
 from maestra.coaching.situation import STRAIN, Limits, Outcome, Situation
 
@@ -40,10 +39,22 @@ PRIOR_WORTH: Final = 4
 MEMORY: Final = 48
 """Outcomes at a level before they are halved."""
 
-_SPARES: Final = MappingProxyType(
-    {Behaviour.CHALLENGING: 0.05, Behaviour.NEUTRAL: 0.02, Behaviour.HELPING: 0.005}
+_PRICES: Final = MappingProxyType(
+    {
+        Mental.NONE: 0.012,
+        Mental.VERY_MILD: 0.012,
+        Mental.MILD: 0.012,
+        Mental.MODERATE: 0.012,
+        Mental.SEVERE: 0.022,
+    }
 )
-"""The share of sessions that may be given up beyond those given up with the most help."""
+"""What a level of help costs a helping robot, in completed sessions. Chosen on simulated patients
+so that about as many sessions are completed as with the most help: severely impaired ones complete
+more than that at the lower price, and are helped more than they need."""
+_BOLDNESS: Final = MappingProxyType(
+    {Behaviour.CHALLENGING: 1.5, Behaviour.NEUTRAL: 1.25, Behaviour.HELPING: 1.0}
+)
+"""How many times as much it costs others."""
 _FIRST_RIGHT: Final[Mapping[Mental, tuple[int, ...]]] = MappingProxyType(
     {
         Mental.NONE: (3, 3, 3, 4, 4, 4),
@@ -91,8 +102,8 @@ class Adaptive:
     __pydantic_config__ = STRICT
     first: tuple[int, ...]
     """By level: of `PRIOR_WORTH` attempts how many were expected to be right."""
-    spare: float
-    """The share of sessions that may be given up beyond those given up with the most help."""
+    price: Annotated[float, Field(ge=0)]
+    """Of a level of help, in completed sessions."""
     strain: Annotated[StrictInt, Field(ge=0)] = 0
     """How badly this session has gone lately, in halves of an error."""
     seen: tuple[_Count, ...] = _NOTHING
@@ -111,8 +122,9 @@ def policy_for(settings: Settings) -> Policy:
         case PolicyName.LADDER:
             return Ladder(settings.level)
         case PolicyName.ADAPTIVE:
-            first = _FIRST_RIGHT[settings.profile.mental]
-            return Adaptive(first, _SPARES[settings.behaviour])
+            mental = settings.profile.mental
+            price = _PRICES[mental] * _BOLDNESS[settings.behaviour]
+            return Adaptive(_FIRST_RIGHT[mental], price)
         case _:
             assert_never(settings.policy)
 
@@ -123,7 +135,7 @@ def choose(policy: Policy, situation: Situation, limits: Limits) -> int:
         case Fixed(level) | Ladder(level):
             return limits.clamp(level)
         case Adaptive():
-            return least_help(odds(policy), situation, policy.strain, limits, policy.spare)
+            return best_help(odds(policy), situation, policy.strain, limits, policy.price)
         case _:
             assert_never(policy)
 
