@@ -2,9 +2,6 @@
 SHELL := /bin/bash
 .SHELLFLAGS := -euo pipefail -c
 .DEFAULT_GOAL := help
-# The steps of `make test` print as they go and share two cores: one at a time.
-.NOTPARALLEL:
-
 BIN := .venv/bin
 NIGHTLY := .venv-nightly/bin
 STEP := @scripts/step.sh
@@ -32,9 +29,15 @@ setup: ## set .venv up with everything a developer needs
 
 # ---------------------------------------------------------------- check it
 
-# pytest comes last, so that its closing lines are the last ones printed.
+# What needs no order is done two at a time. pytest has both cores for itself and comes last, so
+# that its closing lines are the last ones printed.
 .PHONY: test
-test: check-format lint types javascript layers docs wheel tests ## set everything up, then pass every check
+test: setup ## set everything up, then pass every check
+	@$(MAKE) --no-print-directory --jobs=2 --output-sync=target checks
+	@$(MAKE) --no-print-directory tests
+
+.PHONY: checks
+checks: pyright mypy wheel docs javascript layers check-format lint
 
 .PHONY: check-format
 check-format: setup
@@ -45,8 +48,14 @@ lint: setup ## ruff
 	$(STEP) lint $(BIN)/ruff check --quiet
 
 .PHONY: types
-types: setup ## mypy and pyright, both strict
+types: mypy pyright ## mypy and pyright, both strict
+
+.PHONY: mypy
+mypy: setup
 	$(STEP) mypy $(BIN)/mypy
+
+.PHONY: pyright
+pyright: setup
 	$(STEP) pyright $(BIN)/pyright
 
 .PHONY: javascript

@@ -32,6 +32,9 @@ from tests.web.conftest import StillClock
 from tests.web.people import add_account, log_in, new_browser, quick_doors
 from tests.web.rooms.exercises import ASCENDING
 
+# It comes to every route by log-ins of its own; counting lines would take most of its time.
+pytestmark = pytest.mark.no_cover
+
 TABLE_ROOM: Final = RoomName("table")
 EXERCISE: Final = "ascending"
 PIN: Final = "4711"

@@ -93,11 +93,13 @@ def test_what_the_caregiver_is_asked_reaches_no_patient(rooms: Rooms, guest: Gue
         with guest(part).websocket_connect(STREAM) as socket:
             socket.receive_json()
             answered(socket, told(part.value, "board-back", cells={"who": [9, 9]}))
-            # The state may come before the acknowledgement or after it.
             socket.send_text(told(f"{part.value} again", "board-lost"))
-            while (state := socket.receive_json())["type"] != "state":
-                pass
-            seen[part] = state
+            # The state may come before the acknowledgement or after it.
+            heard: dict[str, dict[str, Any]] = {}
+            while not {"ack", "state"} <= heard.keys():
+                message = socket.receive_json()
+                heard[message["type"]] = message
+            seen[part] = heard["state"]
         with guest(part).websocket_connect(STREAM) as socket:
             seen[part] = socket.receive_json()
     assert seen[Part.SCREEN]["question"] is None
