@@ -1,6 +1,6 @@
 """What is refused before any route sees it."""
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 
 import pytest
 from fastapi import FastAPI
@@ -199,6 +199,15 @@ def test_forms_with_files_may_be_larger(browser: TestClient) -> None:
     assert browser.post("/login", files={"picture": picture}).status_code == 422
     picture = b"x" * (MOST_BYTES_WITH_FILES + 1)
     assert browser.post("/login", files={"picture": picture}).status_code == 413
+
+
+def test_exercises_with_pictures_may_be_larger_too(somebody: Callable[[Role], TestClient]) -> None:
+    browser = somebody(Role.CAREGIVER)
+    spaces = b" " * (MOST_BYTES + 1)
+    assert browser.post("/api/exercises", content=spaces).status_code == 422
+    spaces = b" " * (MOST_BYTES_WITH_FILES + 1)
+    assert browser.post("/api/exercises", content=spaces).status_code == 413
+    assert browser.post("/api/drafts", content=b" " * (MOST_BYTES + 1)).status_code == 413
 
 
 def flooded(context: Context, clock: StillClock) -> FastAPI:

@@ -304,7 +304,7 @@ def test_what_is_saved_as_a_file_can_be_brought_in_again(
         (b"", "expected"),
         (b"{}", "maestra.exercise/1"),
         (CURIE.replace('"confidence": 1.0', '"confidence": 7', 1).encode(), "confidence: 7"),
-        (b" " * (MOST_BYTES + 1), "at most 1024 kB"),
+        (b" " * (MOST_BYTES + 1), "at most 15360 kB"),
     ],
     ids=["nothing", "no exercise", "a wrong number", "too large"],
 )

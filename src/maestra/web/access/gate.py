@@ -20,6 +20,8 @@ MOST_BYTES: Final = 1024 * 1024
 """Of a form or JSON: the longest lesson is a tenth of it."""
 MOST_BYTES_WITH_FILES: Final = 16 * 1024 * 1024
 """Of a form with files: a few photographs of a telephone."""
+WITH_FILES: Final = frozenset({"/api/exercises"})
+"""Paths whose JSON carries files: an exercise's pictures. It is read when its sender is known."""
 
 
 def is_unsafe(scope: Scope) -> bool:
@@ -99,7 +101,8 @@ def _host(connection: HTTPConnection) -> str:
 
 def _most_bytes(connection: HTTPConnection) -> int:
     kind = connection.headers.get("content-type", "")
-    return MOST_BYTES_WITH_FILES if kind.startswith("multipart/form-data") else MOST_BYTES
+    with_files = kind.startswith("multipart/form-data") or connection.url.path in WITH_FILES
+    return MOST_BYTES_WITH_FILES if with_files else MOST_BYTES
 
 
 def _limited(connection: HTTPConnection, receive: Receive) -> Receive:

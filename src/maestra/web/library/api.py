@@ -17,7 +17,14 @@ from maestra.rules.exercise import RuledExercise
 from maestra.rules.exercise_format import EXERCISE_FORMAT
 from maestra.web.library.collection import MOST_SEARCHED, Collection, ExerciseId, Item
 from maestra.web.library.desk import AtDesk, Desk
-from maestra.web.library.files import ENDING, MOST_BYTES, MOST_TITLE, attached, pddl_archive
+from maestra.web.library.files import (
+    ENDING,
+    MOST_BYTES,
+    MOST_BYTES_BESIDES,
+    MOST_TITLE,
+    attached,
+    pddl_archive,
+)
 from maestra.web.library.routes import MOST_VERSIONS
 from maestra.web.problems import problems
 
@@ -99,7 +106,8 @@ _ARCHIVE: Final[dict[str, Any]] = {
 _BODY: Final[dict[str, Any]] = {
     "requestBody": {
         "description": f"An exercise's file, `{EXERCISE_FORMAT}`, of at most "
-        f"{MOST_BYTES // 1024} kB; docs/schemas has its JSON Schema.",
+        f"{MOST_BYTES // 1024} kB, {MOST_BYTES_BESIDES // 1024} kB without its pictures; "
+        "docs/schemas has its JSON Schema.",
         "required": True,
         "content": {"application/json": {"schema": {"type": "object"}}},
     }
@@ -133,7 +141,7 @@ def exercise_file(desk: AtDesk, exercise: Wanted, version: Version = None) -> Re
     """The exercise's file."""
     item = desk.item(exercise, version)
     headers = attached(item.title, ENDING)
-    return Response(desk.text(item), media_type="application/json", headers=headers)
+    return Response(desk.file(item), media_type="application/json", headers=headers)
 
 
 @router.get(

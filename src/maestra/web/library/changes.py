@@ -44,11 +44,16 @@ class Changes:
         Raises:
             FormatError: there is none in it; with every fault.
         """
-        exercise = exercise_of(content, file)
+        exercise, pictures = exercise_of(content, file)
         wanted = title.strip() or title_of(file) or "exercise"
         name = fresh(wanted[:MOST_TITLE], self._taken())
         made_now = source(self.context, self.visitor, Origin.IMPORTED)
-        self._shelf.keep(name, encode_exercise(exercise), demonstrations_in(exercise), made_now)
+        drafts = Drafts(self.context.store)
+        shown = {value: drafts.keep_picture(one) for value, one in pictures.items()}
+        written, lines = encode_exercise(exercise), demonstrations_in(exercise)
+        version = self._shelf.keep(name, written, lines, made_now)
+        if shown:
+            drafts.save_shown(name, version, shown)
         return exercise_id(name)
 
     def duplicate(self, name: str, title: str) -> ExerciseId:

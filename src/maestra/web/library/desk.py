@@ -15,6 +15,7 @@ from maestra.web.access.visitor import Visitor
 from maestra.web.context import Context, Here
 from maestra.web.library.changes import Changes
 from maestra.web.library.collection import Collection, ExerciseId, Item
+from maestra.web.library.files import file_of
 from maestra.web.library.thumbnails import rule_names
 from maestra.web.pages import Page, Pages
 
@@ -69,8 +70,12 @@ class Desk:
         raise HTTPException(HTTPStatus.NOT_FOUND, "no such version")
 
     def text(self, item: Item) -> str:
-        """The file of the exercise."""
+        """The exercise as it is kept."""
         return self.context.store.exercise(item.name, item.version).exercise
+
+    def file(self, item: Item) -> str:
+        """The exercise as a file to be shared, with its pictures."""
+        return file_of(self.context.store, item)
 
     def list(self, search: str = "", removed: str = "", **parts: object) -> HTMLResponse:
         """The page of all exercises that match."""

@@ -117,7 +117,7 @@ def save_file(desk: AtDesk, wanted: Wanted, version: Version = None) -> Response
     """The exercise as a file, to keep or to share."""
     item = desk.item(wanted, version)
     headers = attached(item.title, ENDING)
-    return Response(desk.text(item), media_type="application/json", headers=headers)
+    return Response(desk.file(item), media_type="application/json", headers=headers)
 
 
 @router.get("/{wanted}/picture")
