@@ -47,7 +47,7 @@ CAREGIVERS: Final = {
     "preview": "/patients/{pseudonym}/preview",
     "erase": "/patients/{pseudonym}/erase",
     "sessions": "/sessions",
-    "new-session": "/sessions/new?patient=heron",
+    "new-session": "/sessions/new-session?patient=heron",
     "session": "/sessions/{name}",
     "progress": "/progress",
     "progress-of-one": "/progress/{pseudonym}",

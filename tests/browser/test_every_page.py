@@ -35,7 +35,7 @@ CAREGIVERS: Final = (
     *("/patients/{pseudonym}/preview", "/patients/{pseudonym}/erase"),
     *("/progress", "/progress/{pseudonym}", "/progress/{pseudonym}/exercise"),
     *("/progress/{pseudonym}/print", "/progress/{pseudonym}/sessions/{session}"),
-    *("/sessions", "/sessions/new", "/sessions/{name}"),
+    *("/sessions", "/sessions/new-session", "/sessions/{name}"),
     *("/teach", "/teach/{draft}", "/teach/{draft}/tokens", "/teach/{draft}/words"),
     *("/teach/{draft}/try", "/teach/{draft}/exam", "/teach/{draft}/features"),
 )

@@ -264,7 +264,7 @@ TABLE: Final = (
     Line("GET", "/api/exports/csv", FOLLOW),
     # ------------------------------------------------ sessions and rooms
     Line("GET", "/sessions", CARERS),
-    Line("GET", "/sessions/new", CARERS),
+    Line("GET", "/sessions/new-session", CARERS),
     Line("POST", "/sessions", CARERS),
     Line("GET", "/sessions/{room}", SESSION),
     Line("POST", "/sessions/{room}", SESSION, form(cell="1,1")),

@@ -35,7 +35,7 @@ def make(room: Room, move: Move, cell: Cell | None = None) -> None:
 def test_a_session_is_chosen_begun_and_listed(browsing: As, rooms: Rooms) -> None:
     browser = browsing()
     assert "No session is under way" in browser.get("/sessions").text
-    page = browser.get("/sessions/new?patient=heron").text
+    page = browser.get("/sessions/new-session?patient=heron").text
     assert "Which exercise?" in page
     address = begin(browser)
     watched = browser.get(address).text
@@ -58,7 +58,7 @@ def test_assigned_exercises_come_first_and_are_chosen(browsing: As, context: Con
     stored = context.store.exercise("ascending")
     context.store.save_exercise("a first one", stored.exercise)
     browser.post("/patients/heron/exercises", data={"exercise": "ascending"})
-    page = browser.get("/sessions/new?patient=heron").text
+    page = browser.get("/sessions/new-session?patient=heron").text
     assert page.index('value="ascending" checked') < page.index('value="a first one"')
     assert "Other exercises" in page
 
@@ -66,13 +66,13 @@ def test_assigned_exercises_come_first_and_are_chosen(browsing: As, context: Con
 def test_without_patients_or_exercises_the_page_says_what_is_missing(
     browsing: As, context: Context, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    assert "There are no patients yet" in browsing("bob").get("/sessions/new").text
+    assert "There are no patients yet" in browsing("bob").get("/sessions/new-session").text
 
     def nothing() -> tuple[()]:
         return ()
 
     monkeypatch.setattr(context.store, "exercises", nothing)
-    assert "There are no exercises yet" in browsing().get("/sessions/new").text
+    assert "There are no exercises yet" in browsing().get("/sessions/new-session").text
 
 
 @pytest.mark.parametrize(
@@ -116,12 +116,15 @@ def test_where_no_room_is_left_it_is_said(
     assert "Too many sessions" in browsing().post("/sessions", data=form).text
 
 
-def test_a_board_with_a_token_can_be_chosen(browsing: As, context: Context) -> None:
+@pytest.mark.parametrize("room", ["garden", "new", "lobby"])
+def test_a_board_with_a_token_can_be_chosen(browsing: As, context: Context, room: str) -> None:
     browser = browsing()
-    board = Device("d", "x" * 64, "board", "Wooden board", "garden", None, None, "ann", 0)
+    board = Device("d", "x" * 64, "board", "Wooden board", room, None, None, "ann", 0)
     context.store.access.add_device(board)
-    assert "Wooden board, in room garden" in browser.get("/sessions/new?patient=heron").text
-    assert begin(browser, board="garden") == "/sessions/garden"
+    page = browser.get("/sessions/new-session?patient=heron").text
+    assert f"Wooden board, in room {room}" in page
+    assert begin(browser, board=room) == f"/sessions/{room}"
+    assert "Nobody has sat down yet" in browser.get(f"/sessions/{room}").text
 
 
 # ---------------------------------------------------------------- steering
@@ -277,7 +280,7 @@ def test_another_caregivers_session_is_not_there(browsing: As) -> None:
 def test_researchers_have_no_sessions(browsing: As) -> None:
     researcher = browsing("rita", Role.RESEARCHER)
     assert researcher.get("/sessions").status_code == 403
-    assert researcher.get("/sessions/new").status_code == 403
+    assert researcher.get("/sessions/new-session").status_code == 403
 
 
 def test_an_empty_room_is_no_session(browsing: As, rooms: Rooms) -> None:

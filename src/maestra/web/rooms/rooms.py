@@ -62,8 +62,8 @@ class Rooms:
         """Whether sentences can be heard."""
         if not can_speak:
             _LOG.warning("espeak-ng is not installed: what the robot says is only shown")
-        self.lobby: Final = Room(RoomName("lobby"), store, clock)
-        """Never played in: patients' screens wait there for their next session."""
+        self.lobby: Final = Room(RoomName("waiting-room"), store, clock)
+        """Never played in, for no room may be called so: patients' screens wait there for their next session."""
         self._lock = threading.RLock()
         self._rooms: dict[RoomName, Room] = {}
         for stored in store.sessions():

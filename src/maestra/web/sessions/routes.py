@@ -138,7 +138,7 @@ def _row(
 # ---------------------------------------------------------------- a new one
 
 
-@router.get("/sessions/new")
+@router.get("/sessions/new-session")
 def new(
     visitor: Accompanying,
     context: Here,
