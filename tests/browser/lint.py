@@ -1,4 +1,4 @@
-"""The limits of the screens, measured in the browser: sizes, gaps, text, controls, motion.
+"""The limits of the screens, measured in the browser: sizes, gaps, text, controls, focus, motion.
 
 Sources: WCAG 2.2 AA, COGA; where a number is stricter than these it is the project's own.
 """
@@ -29,6 +29,9 @@ LEAST_GAP_PX: Final = 10
 """Between the patient's buttons."""
 MOST_CONTROLS: Final = 3
 """Of the patient besides the board."""
+LEAST_RING_PX: Final = 2
+LEAST_FOCUS_CONTRAST: Final = 3
+"""Of the ring around what has the focus, to what it lies on: WCAG 1.4.11 and 2.4.13."""
 LONGEST_MOTION_MS: Final = 400
 WIDE_ENOUGH_FOR_A_BOARD_PX: Final = 560
 """Five cells of 88 px, their gaps and margins."""
@@ -46,21 +49,25 @@ def lint(page: Page, reader: Reader) -> list[str]:
         "button": LEAST_BUTTON_PX[reader],
         "gap": LEAST_GAP_PX,
         "controls": MOST_CONTROLS,
+        "ring": LEAST_RING_PX,
+        "focus": LEAST_FOCUS_CONTRAST,
         "motion": LONGEST_MOTION_MS,
     }
     return cast("list[str]", page.evaluate(_MEASURE, limits))
 
 
-NARROW: Final = {"width": 320, "height": 740}
-"""A desktop's page at 400 %: WCAG 1.4.10, reflow."""
+NARROW: Final = ({"width": 640, "height": 400}, {"width": 320, "height": 740})
+"""A desktop's page at 200 %, and at 400 %: WCAG 1.4.4, resize text, and 1.4.10, reflow."""
 
 
 def too_wide(page: Page) -> list[str]:
-    """What sticks out to the right where the page is 320 px wide, as zooming in makes it."""
+    """What sticks out to the right where the page is as narrow as zooming in makes it."""
     before = page.viewport_size
     assert before is not None
-    page.set_viewport_size({"width": NARROW["width"], "height": NARROW["height"]})
-    found = cast("list[str]", page.evaluate(_STICKING_OUT))
+    found: list[str] = []
+    for narrow in NARROW:
+        page.set_viewport_size({"width": narrow["width"], "height": narrow["height"]})
+        found += cast("list[str]", page.evaluate(_STICKING_OUT))
     page.set_viewport_size(before)
     return found
 
@@ -80,6 +87,6 @@ _STICKING_OUT: Final = """() => {
     };
     const out = [...document.querySelectorAll("body *")].filter((element) =>
         element.getBoundingClientRect().right > width + 1 && !inside(element));
-    return [`${document.documentElement.scrollWidth} px wide`,
+    return [`${document.documentElement.scrollWidth} px wide in ${width} px`,
         ...out.map((one) => one.outerHTML.slice(0, 120))];
 }"""
