@@ -106,6 +106,10 @@ class Visit:
         answer = self.page.goto(address)
         assert answer is not None
         assert answer.status == 200, (address, answer.status)
+        # What is folded away must keep the limits, too.
+        self.page.evaluate(
+            "document.querySelectorAll('details').forEach((one) => one.open = true)"
+        )
         faults = [f"{one['rule']}: {one['html']}" for one in findings(self.page)]
         return faults + lint(self.page, self.reader) + too_wide(self.page)
 
