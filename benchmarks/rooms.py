@@ -32,7 +32,7 @@ from websockets.asyncio.client import ClientConnection, connect
 
 from maestra.coaching.ports import PatientId
 from maestra.coaching.remembered import Remembered, write_remembered
-from maestra.coaching.settings import PolicyName, Settings
+from maestra.coaching.settings import Settings
 from maestra.language import Language
 from maestra.rules.exercise_format import encode_exercise
 from maestra.rules.paper_rules import paper_exercise
@@ -56,9 +56,6 @@ FIRST: Final = (1, 1)
 SHOWN: Final = 100
 """Events that a browser is watched to show."""
 STARTS_WITHIN_S: Final = 60.0
-SETTINGS: Final = Settings(policy=PolicyName.LADDER)
-"""What is measured is the record and the stream. The adaptive policy plans for some milliseconds
-before each move, as nobody minds who waits for a person; it is measured by itself."""
 PASSWORD: Final = "a quiet harbour"
 NAME: Final = "Bench"
 CHROMIUM: Final = "/usr/bin/chromium"
@@ -333,7 +330,7 @@ def prepare(data: Path, keys: Path, cache: Path) -> tuple[tuple[str, ...], str]:
         for number in range(1, ROOMS + 1):
             name = RoomName(str(number))
             patient = PatientId(f"bench {number}")
-            store.save_settings(patient, write_remembered(Remembered(SETTINGS)))
+            store.save_settings(patient, write_remembered(Remembered(Settings())))
             rooms.begin(patient, "ascending", room=name)
             boards.append(make_program(context, bench, DeviceKind.BOARD, "bench", name))
         robot_token = make_program(context, bench, DeviceKind.ROBOT, "bench", "1")
