@@ -63,7 +63,8 @@ class Rooms:
         if not can_speak:
             _LOG.warning("espeak-ng is not installed: what the robot says is only shown")
         self.lobby: Final = Room(RoomName("waiting-room"), store, clock)
-        """Never played in, for no room may be called so: patients' screens wait there for their next session."""
+        """Never played in, for no room may be called so: patients' screens wait there for their
+        next session."""
         self._lock = threading.RLock()
         self._rooms: dict[RoomName, Room] = {}
         for stored in store.sessions():
