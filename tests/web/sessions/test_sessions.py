@@ -1,6 +1,7 @@
 """Sessions: begun, watched, steered, ended; nothing happens that is not kept."""
 
 import pytest
+from fastapi import FastAPI
 
 from maestra.coaching.events import Begun, TokenLifted, TokenPlaced
 from maestra.coaching.fields import Milliseconds
@@ -114,6 +115,16 @@ def test_where_no_room_is_left_it_is_said(
     monkeypatch.setattr(rooms, "begin", full)
     form = {"patient": "heron", "exercise": "ascending", "board": ""}
     assert "Too many sessions" in browsing().post("/sessions", data=form).text
+
+
+def test_whoever_starts_a_session_learns_that_there_is_no_voice(
+    browsing: As, app: FastAPI, context: Context
+) -> None:
+    browser = browsing()
+    for can_speak in (True, False):
+        app.state.rooms = Rooms(context.store, context.clock, can_speak=can_speak)
+        page = browser.get("/sessions/new-session").text
+        assert ("This computer has no voice" in page) is not can_speak
 
 
 @pytest.mark.parametrize("room", ["garden", "new", "lobby"])

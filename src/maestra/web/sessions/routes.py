@@ -142,11 +142,12 @@ def _row(
 def new(
     visitor: Accompanying,
     context: Here,
+    rooms: RoomsHere,
     pages: Page,
     patient: Annotated[str, Query(max_length=6_000)] = "",
 ) -> HTMLResponse:
     """Choose who plays what, and on which board."""
-    return _new(visitor, context, pages, {"patient": patient}, {})
+    return _new(visitor, context, rooms, pages, {"patient": patient}, {})
 
 
 @router.post("/sessions")
@@ -169,7 +170,7 @@ def begin(
         if room is not None:
             return RedirectResponse(f"/sessions/{room.name}", 303)
         faults |= fault
-    return _new(visitor, context, pages, chosen, faults)
+    return _new(visitor, context, rooms, pages, chosen, faults)
 
 
 def _begin(
@@ -193,6 +194,7 @@ def _begin(
 def _new(
     visitor: Accompanying,
     context: Context,
+    rooms: Rooms,
     pages: Pages,
     chosen: Mapping[str, str],
     faults: Mapping[str, str],
@@ -212,6 +214,7 @@ def _new(
         boards=list(_boards(context).items()),
         board=chosen.get("board", ANY_ROOM),
         faults=faults,
+        can_speak=rooms.can_speak,
     )
     page.status_code = UNPROCESSABLE if faults else 200
     return page
