@@ -17,6 +17,7 @@ from tests.cli.running import EXAMPLES, learned
 MAESTRA = (sys.executable, "-m", "maestra")
 COLOUR = re.compile("\x1b\\[(?:\\d+;)*[349]\\d")
 PLAYS = EXAMPLES / "plays" / "ascending.jsonl"
+WAITS_S = 60.0
 
 
 @pytest.fixture(name="exercise", scope="module")
@@ -88,9 +89,25 @@ def test_control_c_ends_it_quietly(exercise: Path) -> None:
         process.stdin.write(PLAYS.read_bytes().splitlines(keepends=True)[0])
         process.stdin.flush()
         process.stdout.readline()
+        # While it waits for the next line: elsewhere Python may raise the interrupt in a callback
+        # of its own, which swallows it. And no end of the input may come before the interrupt.
+        wait_until_it_waits(process.pid)
         process.send_signal(signal.SIGINT)
+        process.wait(WAITS_S)
         _, said = process.communicate()
     assert (process.returncode, said) == (130, b"")
+
+
+def wait_until_it_waits(process: int) -> None:
+    """Return once the process has slept for a while, as Linux sees it."""
+    asleep, until = 0, time.monotonic() + WAITS_S
+    while asleep < 5:  # looks, one after another
+        assert time.monotonic() < until
+        state = (
+            Path(f"/proc/{process}/stat").read_text(encoding="utf-8").rpartition(")")[2].split()[0]
+        )
+        asleep = asleep + 1 if state == "S" else 0
+        time.sleep(0.02)
 
 
 def test_the_session_has_colours_on_a_terminal_unless_they_are_not_wanted() -> None:
