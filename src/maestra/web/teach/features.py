@@ -96,7 +96,7 @@ def _page(bench: Bench, kept: Kept, why: str = "", fault: str = "") -> HTMLRespo
     draft, language = kept.draft, bench.pages.language
     # What counts, or would if nobody said anything.
     chosen = select_features(draft.deck, draft.features)
-    boxes = _Boxes(bench.pages, draft.deck, frozenset(chosen))
+    boxes = _Boxes.of(bench.pages, draft.deck, chosen)
     kinds = tuple(boxes.with_parameters())
     return bench.page(
         "teach/features.html",
@@ -128,7 +128,15 @@ class _Boxes:
 
     pages: Pages
     deck: Deck
+    names: Mapping[TokenId, str]
     chosen: frozenset[Feature]
+
+    @classmethod
+    def of(cls, pages: Pages, deck: Deck, chosen: Iterable[Feature]) -> _Boxes:
+        """For a deck, of whose features some are chosen."""
+        views = tokens_by_id(deck, _BOARD, pages.language)
+        names = {token: view.name for token, view in views.items()}
+        return cls(pages, deck, names, frozenset(chosen))
 
     def named(self, names: Iterable[str]) -> Iterator[FeatureView]:
         """Those without a parameter, over each attribute that they apply to."""
@@ -172,29 +180,26 @@ class _Boxes:
 
         Nothing where the one token that has it is named by the feature itself.
         """
-        names = self._names()
-        having = [t for t in self.deck.tokens if token_feature_holds(feature, t.attributes)]
+        having: list[str] = []
+        lacking: list[str] = []
+        for token in self.deck.tokens:
+            holds = token_feature_holds(feature, token.attributes)
+            (having if holds else lacking).append(self.names[token.id])
         if feature.name.startswith(f"{IS}-") and len(having) == 1:
             return "", ""
-        lacking = (names[one.id] for one in self.deck.tokens if one not in having)
         most = EXAMPLES if feature.name in TOKEN_FEATURES else 1
-        return ", ".join(names[one.id] for one in having[:most]), next(lacking, "")
+        return ", ".join(having[:most]), next(iter(lacking), "")
 
     def _pairs(self, feature: PairFeature) -> str:
         """A few pairs of which it is true."""
-        names = self._names()
         pairs = (
-            f"{names[one.id]} – {names[other.id]}"
+            f"{self.names[one.id]} – {self.names[other.id]}"
             for one in self.deck.tokens
             for other in self.deck.tokens
             if one.id != other.id
             and pair_feature_holds(feature, self.deck, one.attributes, other.attributes)
         )
         return ", ".join(islice(pairs, EXAMPLES))
-
-    def _names(self) -> Mapping[TokenId, str]:
-        views = tokens_by_id(self.deck, _BOARD, self.pages.language)
-        return {token: view.name for token, view in views.items()}
 
 
 def _kind_words(kind: str, pages: Pages) -> str:
