@@ -70,6 +70,6 @@ def create_app(context: Context) -> FastAPI:
         app.include_router(router)
     app.mount("/static", assets(), "static")
     problems.install(app)
-    app.add_middleware(Gate)
+    app.add_middleware(Gate, with_files=library_api.WITH_PICTURES)
     app.add_middleware(SecurityHeaders, over_tls=context.over_tls)
     return app

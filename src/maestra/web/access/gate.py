@@ -20,8 +20,6 @@ MOST_BYTES: Final = 1024 * 1024
 """Of a form or JSON: the longest lesson is a tenth of it."""
 MOST_BYTES_WITH_FILES: Final = 16 * 1024 * 1024
 """Of a form with files: a few photographs of a telephone."""
-WITH_FILES: Final = frozenset({"/api/exercises"})
-"""Paths whose JSON carries files: an exercise's pictures. It is read when its sender is known."""
 
 
 def is_unsafe(scope: Scope) -> bool:
@@ -48,9 +46,10 @@ def is_from_elsewhere(connection: HTTPConnection, *, over_tls: bool) -> bool:
 class Gate:
     """Lets through what may come in."""
 
-    def __init__(self, app: ASGIApp) -> None:
-        """Stand before `app`."""
+    def __init__(self, app: ASGIApp, *, with_files: frozenset[str] = frozenset()) -> None:
+        """Stand before `app`, the JSON of some of whose paths may carry files."""
         self._app = app
+        self._with_files = with_files
 
     async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
         """Answer what is refused; pass on the rest, reading no more than is allowed."""
@@ -58,17 +57,24 @@ class Gate:
             await self._app(scope, receive, send)
             return
         connection = HTTPConnection(scope)
-        refused = _refusal(context_of(connection), connection)
+        most = self._most_bytes(connection)
+        refused = _refusal(context_of(connection), connection, most)
         if refused is None:
-            limited = receive if scope["type"] == "websocket" else _limited(connection, receive)
+            limited = receive if scope["type"] == "websocket" else _limited(receive, most)
             await self._app(scope, limited, send)
         elif scope["type"] == "websocket":
             await WebSocketClose(POLICY_VIOLATION, str(refused.detail))(scope, receive, send)
         else:
             await answer(Request(scope), refused)(scope, receive, send)
 
+    def _most_bytes(self, connection: HTTPConnection) -> int:
+        kind = connection.headers.get("content-type", "")
+        with_files = kind.startswith("multipart/form-data")
+        with_files = with_files or connection.url.path in self._with_files
+        return MOST_BYTES_WITH_FILES if with_files else MOST_BYTES
 
-def _refusal(context: Context, connection: HTTPConnection) -> HTTPException | None:
+
+def _refusal(context: Context, connection: HTTPConnection, most: int) -> HTTPException | None:
     doors = context.doors
     if doors.hosts is not None and _host(connection) not in doors.hosts:
         # A name of another site that leads to this computer (DNS rebinding).
@@ -82,7 +88,7 @@ def _refusal(context: Context, connection: HTTPConnection) -> HTTPException | No
     if wait != NO_WAIT:
         return TooManyError(wait)
     length = connection.headers.get("content-length", "0")
-    if not length.isdigit() or int(length) > _most_bytes(connection):
+    if not length.isdigit() or int(length) > most:
         return HTTPException(413, "too large")
     return None
 
@@ -99,15 +105,9 @@ def _host(connection: HTTPConnection) -> str:
     return f"[{name}]" if ":" in name else name
 
 
-def _most_bytes(connection: HTTPConnection) -> int:
-    kind = connection.headers.get("content-type", "")
-    with_files = kind.startswith("multipart/form-data") or connection.url.path in WITH_FILES
-    return MOST_BYTES_WITH_FILES if with_files else MOST_BYTES
-
-
-def _limited(connection: HTTPConnection, receive: Receive) -> Receive:
+def _limited(receive: Receive, most: int) -> Receive:
     """The body, cut off with 413 where it is longer than its sender said or than is allowed."""
-    left = _most_bytes(connection)
+    left = most
 
     async def limited() -> Message:
         nonlocal left

@@ -29,6 +29,8 @@ from maestra.web.library.routes import MOST_VERSIONS
 from maestra.web.problems import problems
 
 router: Final = APIRouter(prefix="/api/exercises", tags=["exercises"])
+WITH_PICTURES: Final = frozenset({router.prefix})
+"""Paths whose JSON may be as long as a form with files. It is read when its sender is known."""
 
 _ID: Final = r"^[0-9a-f]{16}$"
 Wanted = Annotated[
